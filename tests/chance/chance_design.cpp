@@ -4,6 +4,7 @@
 #include <random>
 
 #include "dataflow/core/machine/core_of.hpp"
+#include "dataflow/run/config/calls.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace faster::chance {
@@ -49,6 +50,7 @@ class Maker {
             process.takes_early = dice_.one_in(2);
             process.memory_ports = dice_.between(1, 3);
             process.program.push_back(wait(dice_.one_in(2) ? 1 : dice_.below(6)));
+            process.starts = dice_.one_in(4) ? dice_.below(9) : 0;
             design_.processes.push_back(process);
         }
     }
@@ -57,6 +59,7 @@ class Maker {
         std::size_t const processes = design_.processes.size();
         std::uint64_t const count = processes == 1 ? 0 : dice_.between(processes - 1, processes + 2);
         bool const may_be_cyclic = dice_.one_in(3);
+        bool const may_hand_over = dice_.one_in(3);
         for (std::size_t f = 0; f < count; ++f) {
             Fifo fifo;
             fifo.writer = dice_.below(processes);
@@ -67,6 +70,7 @@ class Maker {
             fifo.write_stage = dice_.one_in(2) ? 0 : dice_.below(7);
             fifo.read_stage = dice_.one_in(2) ? 0 : dice_.below(5);
             set_room(fifo, dice_);
+            fifo.is_ping_pong = may_hand_over && fifo.writer < fifo.reader && dice_.one_in(2);
             design_.fifos.push_back(fifo);
         }
         // As a core lists them: by their writers.
@@ -75,9 +79,15 @@ class Maker {
         for (std::size_t f = 0; f < count; ++f) {
             Fifo& fifo = design_.fifos[f];
             fifo.name = "f" + std::to_string(f);
-            design_.processes[fifo.writer].ends.push_back(f);
-            design_.processes[fifo.reader].ends.push_back(f);
+            for (std::size_t const process : {fifo.writer, fifo.reader}) {
+                Process& at = design_.processes[process];
+                (fifo.is_ping_pong ? at.buffers : at.ends).push_back(f);
+            }
         }
+        for (std::size_t i = 0; i < processes; ++i)
+            std::stable_partition(design_.processes[i].buffers.begin(), design_.processes[i].buffers.end(),
+                                  [&](std::size_t fifo) { return design_.writes(i, fifo); });
+        design_.calls = dice_.one_in(4) ? CallOrder::in_turn : CallOrder::overlapped;
         design_.rules = static_cast<FifoGeneration>(dice_.below(3));
     }
 
@@ -100,6 +110,11 @@ class Maker {
             for (std::size_t const fifo : process.ends)
                 deepest = std::max(deepest, design_.stage(number, fifo));
             loop.depth = deepest + dice_.between(1, 4);
+            if (dice_.one_in(3)) {
+                loop.is_pipelined = false;
+                loop.entry = dice_.below(3);
+                loop.exit = dice_.below(3);
+            }
         }
     }
 
@@ -200,10 +215,19 @@ ModuleDescription module_of(Design const& design, std::size_t number) {
         else
             module.reads_from(fifo.name).taken(process.loops.front().name, fifo.read_stage);
     }
+    for (std::size_t const f : process.buffers) {
+        Fifo const& fifo = design.fifos[f];
+        if (design.writes(number, f))
+            module.writes_to(fifo.name).carries("buffers").of_bits(fifo.bits).hands_over(16);
+        else
+            module.reads_from(fifo.name);
+    }
     std::string const memory = "memory_of_" + process.name;
     bool uses_memory = false;
     for (Loop const& loop : process.loops) {
         LoopDescription& described = module.loop(loop.name).does("works").of_depth(loop.depth);
+        if (!loop.is_pipelined)
+            described.of_states(loop.depth).enters_in(loop.entry).leaves_in(loop.exit);
         std::vector<std::string> written, read;
         for (std::size_t const f : process.ends)
             (design.writes(number, f) ? written : read).push_back(design.fifos[f].name);
@@ -233,47 +257,65 @@ Design retimed(Design const& design, std::uint64_t seed) {
     for (Fifo& fifo : other.fifos)
         if (dice.one_in(2))
             Maker::set_room(fifo, dice);
-    for (Process& process : other.processes)
+    for (Process& process : other.processes) {
         for (Loop& loop : process.loops)
-            if (dice.one_in(2))
+            if (dice.one_in(2)) {
                 Maker::set_pace(loop, dice);
+                loop.entry = loop.is_pipelined ? 0 : dice.below(4);
+            }
+        if (dice.one_in(4))
+            process.starts = dice.below(9);
+    }
     return other;
 }
 
-CoreDescription description_of(Design const& design) {
+CoreDescription plain_description_of(Design const& design) {
     std::vector<ModuleDescription> modules;
     for (std::size_t i = 0; i < design.processes.size(); ++i)
         modules.push_back(module_of(design, i));
     return core_of(modules);
 }
 
+CoreDescription description_of(Design const& design) {
+    return with_calls(plain_description_of(design), settings_of(design));
+}
+
 MachineSettings settings_of(Design const& design) {
     MachineSettings settings;
+    settings.calls = design.calls;
     settings.cores = design.cores;
     settings.fifo_rules = design.rules;
     for (Fifo const& fifo : design.fifos) {
         settings.fifo(fifo.name).depth = fifo.depth;
         settings.fifo(fifo.name).kind = fifo.kind;
     }
-    for (Process const& process : design.processes)
+    for (Process const& process : design.processes) {
+        settings.start(process.name) = process.starts;
         for (Loop const& loop : process.loops) {
             LoopSettings& of_loop = settings.loop(process.name + '.' + loop.name);
+            if (!loop.is_pipelined) {
+                of_loop.entry_states = loop.entry;
+                of_loop.exit_states = loop.exit;
+                continue;
+            }
             of_loop.ii = loop.ii;
             of_loop.recurrence_ii = loop.recurrence;
             if (loop.reads + loop.writes > 0)
                 settings.memory("memory_of_" + process.name).ports = process.memory_ports;
         }
+    }
     return settings;
 }
 
 std::string text_of(Design const& design) {
     std::string text = std::to_string(design.cores) + " cores, " + std::to_string(design.samples) + " samples, rules " +
-                       std::to_string(static_cast<int>(design.rules)) + "\n";
+                       std::to_string(static_cast<int>(design.rules)) +
+                       (design.calls == CallOrder::in_turn ? ", calls in turn\n" : "\n");
     for (Fifo const& fifo : design.fifos)
         text += fifo.name + ": " + design.processes[fifo.writer].name + " (stage " + std::to_string(fifo.write_stage) +
                 ") to " + design.processes[fifo.reader].name + " (stage " + std::to_string(fifo.read_stage) +
                 "), depth " + std::to_string(fifo.depth) + " kind " + std::to_string(static_cast<int>(fifo.kind)) +
-                " of " + std::to_string(fifo.bits) + " bits\n";
+                " of " + std::to_string(fifo.bits) + (fifo.is_ping_pong ? " bits, ping-pong\n" : " bits\n");
     auto const list = [&](Accesses const& accesses) {
         std::string names;
         for (std::size_t const fifo : accesses)
@@ -281,12 +323,16 @@ std::string text_of(Design const& design) {
         return names;
     };
     for (Process const& process : design.processes) {
-        text += process.name + (process.takes_early ? " (takes early):" : ":") + list(process.ends) + "\n";
+        text += process.name + (process.takes_early ? " (takes early):" : ":") + list(process.ends) + ", starts " +
+                std::to_string(process.starts) + ", buffers" + list(process.buffers) + "\n";
         for (Loop const& loop : process.loops)
-            text += "  " + loop.name + ": II " + std::to_string(loop.ii) + ", recurrence " +
-                    std::to_string(loop.recurrence) + ", depth " + std::to_string(loop.depth) + ", memory " +
-                    std::to_string(loop.reads) + " + " + std::to_string(loop.writes) + " on " +
-                    std::to_string(process.memory_ports) + "\n";
+            text +=
+                "  " + loop.name + ": II " + std::to_string(loop.ii) + ", recurrence " +
+                std::to_string(loop.recurrence) + ", depth " + std::to_string(loop.depth) +
+                (loop.is_pipelined ? ""
+                                   : " states and " + std::to_string(loop.entry) + " + " + std::to_string(loop.exit)) +
+                ", memory " + std::to_string(loop.reads) + " + " + std::to_string(loop.writes) + " on " +
+                std::to_string(process.memory_ports) + "\n";
         for (Segment const& segment : process.program)
             text += segment.kind == Segment::Kind::wait ? "  wait " + std::to_string(segment.cycles) + "\n"
                     : segment.kind == Segment::Kind::step

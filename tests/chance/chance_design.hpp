@@ -21,6 +21,7 @@ struct Fifo {
     unsigned bits = 32;
     Cycles write_stage = 0;
     Cycles read_stage = 0;
+    bool is_ping_pong = false;  ///< `depth` buffers that calls hand over, and no FIFO
 };
 
 /// By number of a FIFO.
@@ -31,6 +32,8 @@ struct Loop {
     Cycles ii = 1;          ///< asked for
     Cycles recurrence = 1;  ///< demanded
     Cycles depth = 1;
+    bool is_pipelined = true;  ///< otherwise, `depth` states, and those around:
+    Cycles entry = 0, exit = 0;
     unsigned reads = 0, writes = 0;  ///< of the process's memory, per iteration
 };
 
@@ -45,7 +48,9 @@ struct Segment {
 
 struct Process {
     std::string name;
-    Accesses ends;  ///< FIFOs in the program order of a step
+    Accesses ends;     ///< FIFOs in the program order of a step
+    Accesses buffers;  ///< ping-pong buffers, written ones first
+    Cycles starts = 0;
     std::vector<Loop> loops;
     std::uint64_t memory_ports = 2;
     std::vector<Segment> program;  ///< of every sample
@@ -56,6 +61,7 @@ struct Design {
     std::vector<Fifo> fifos;
     std::vector<Process> processes;
     FifoGeneration rules = FifoGeneration::vitis_hls;
+    CallOrder calls = CallOrder::overlapped;
     std::uint64_t cores = 1;
     std::size_t samples = 1;
 
@@ -70,7 +76,8 @@ Design random_design(std::uint64_t seed);
 /// What a design is at other timing keys.
 Design retimed(Design const& design, std::uint64_t seed);
 
-/// As the kernel is told of it.
+/// As the kernel is told of it: by its user, and with what calls hand over.
+CoreDescription plain_description_of(Design const& design);
 CoreDescription description_of(Design const& design);
 MachineSettings settings_of(Design const& design);
 

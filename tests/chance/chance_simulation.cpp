@@ -43,7 +43,8 @@ class ChanceModule : public SampleModule {
     ClockedFifo<Token>& fifo(std::size_t number) const { return core_of_it_.fifo<Token>(design().fifos[number].name); }
     bool writes(std::size_t fifo) const { return design().writes(number_, fifo); }
 
-    void work(std::size_t /*sample*/) override {
+    void work(std::size_t sample) override {
+        exchange_buffers(static_cast<Token>(sample));
         for (Segment const& segment : process().program)
             if (segment.kind == Segment::Kind::wait)
                 clock_.advance(segment.cycles);
@@ -51,6 +52,17 @@ class ChanceModule : public SampleModule {
                 do_step(segment.step);
             else
                 do_loop(segment);
+    }
+
+    /// Each has the number of its sample.
+    void exchange_buffers(Token sample) {
+        for (std::size_t const buffer : process().buffers) {
+            PingPong<Token>& of = core_of_it_.ping_pong<Token>(design().fifos[buffer].name);
+            if (writes(buffer))
+                of.put({sample});
+            else if (of.take() != std::vector<Token>{sample})
+                throw std::logic_error("a buffer is not what was put");
+        }
     }
 
     void do_step(Accesses const& accesses) {
@@ -100,15 +112,19 @@ class ChanceModule : public SampleModule {
 
 class ChanceCore : public SimpleCore {
   public:
-    static CoreDescription describe(Numbers const& /*numbers*/) { return description_of(design_at_hand()); }
+    static CoreDescription describe(Numbers const& /*numbers*/) { return plain_description_of(design_at_hand()); }
     explicit ChanceCore(SimpleCoreParts const& parts) : SimpleCore(parts) {
         for (Fifo const& fifo : design_at_hand().fifos)
-            make_fifo<Token>(fifo.name);
+            if (fifo.is_ping_pong)
+                buffers_.push_back(std::make_unique<PingPong<Token>>(fifo.name.c_str(), ping_pong_timing(fifo.name)));
+            else
+                make_fifo<Token>(fifo.name);
         for (std::size_t i = 0; i < design_at_hand().processes.size(); ++i)
             modules_.push_back(std::make_unique<ChanceModule>(design_at_hand().processes[i].name.c_str(), *this, i));
     }
 
   private:
+    std::vector<std::unique_ptr<PingPong<Token>>> buffers_;
     std::vector<std::unique_ptr<ChanceModule>> modules_;
 };
 

@@ -12,11 +12,14 @@ namespace {
 struct Step {
     Accesses accesses;                  ///< in program order
     std::optional<std::size_t> begins;  ///< the first step of this sample of the core
+    std::optional<std::size_t> calls;   ///< the first of what the process does in it, behind its start
     std::optional<std::size_t> ends;    ///< the last
 };
 using Steps = std::vector<Step>;
 
 Cycles interval_of(Process const& process, Loop const& loop) {
+    if (!loop.is_pipelined)
+        return loop.depth;
     Cycles const of_ports = (loop.reads + loop.writes + process.memory_ports - 1) / process.memory_ports;
     return std::max({loop.ii, loop.recurrence, of_ports});
 }
@@ -25,8 +28,8 @@ void append_loop(Design const& design, std::size_t number, Segment const& segmen
     Process const& process = design.processes[number];
     Loop const& loop = process.loops[segment.loop];
     Cycles const interval = interval_of(process, loop);
-    std::size_t const begin = steps.size();
-    steps.resize(begin + (segment.iterations.size() - 1) * interval + loop.depth);
+    std::size_t const begin = steps.size() + loop.entry;
+    steps.resize(begin + (segment.iterations.size() - 1) * interval + loop.depth + loop.exit);
     for (std::size_t i = 0; i < segment.iterations.size(); ++i)
         for (std::size_t const fifo : segment.iterations[i])
             steps.at(begin + i * interval + design.stage(number, fifo)).accesses.push_back(fifo);
@@ -37,14 +40,17 @@ Steps steps_of(Design const& design, std::size_t number, std::size_t samples) {
     Steps steps;
     for (std::size_t sample = 0; sample < samples; ++sample) {
         std::size_t const begin = steps.size();
+        steps.resize(begin + (sample == 0 || design.calls == CallOrder::in_turn ? process.starts : 0));
+        std::size_t const call = steps.size();
         for (Segment const& segment : process.program)
             if (segment.kind == Segment::Kind::wait)
                 steps.resize(steps.size() + segment.cycles);
             else if (segment.kind == Segment::Kind::step)
-                steps.push_back({segment.step, {}, {}});
+                steps.push_back({segment.step, {}, {}, {}});
             else
                 append_loop(design, number, segment, steps);
         steps[begin].begins = sample;
+        steps[call].calls = sample;
         steps.back().ends = sample;
     }
     auto const place = [&](std::size_t fifo) {
@@ -91,6 +97,7 @@ class CoreSimulation {
         for (std::size_t i = 0; i < design.processes.size(); ++i) {
             OfProcess process;
             process.steps = steps_of(design, i, samples);
+            process.has_accessed = design.calls == CallOrder::in_turn && design.processes.size() > 1;
             processes.push_back(process);
         }
     }
@@ -106,6 +113,44 @@ class CoreSimulation {
     std::vector<OfFifo> fifos;
     std::vector<OfProcess> processes;
     bool is_stuck = false;
+
+    /// What a process waits for whose call is to begin: the wait, as deadlocks tell of it.
+    struct HandOver {
+        std::string fifo;
+        bool writes;
+        std::size_t other;
+        std::uint64_t holds;
+    };
+    std::optional<HandOver> hand_over_awaited(std::size_t number) const {
+        OfProcess const& process = processes[number];
+        Step const& step = process.steps[process.next];
+        if (step.begins && design_.calls == CallOrder::in_turn)
+            for (std::size_t i = 0; i < processes.size(); ++i)
+                if (processes[i].ends.size() < *step.begins)
+                    return number == 0 && i > 0 ? HandOver{design_.processes[i].name + "_ends", true, i, 1}
+                                                : HandOver{design_.processes[number].name + "_begins", false, 0, 0};
+        for (std::size_t const buffer : step.calls ? design_.processes[number].buffers : Accesses()) {
+            Fifo const& fifo = design_.fifos[buffer];
+            if (fifo.writer == number && *step.calls >= processes[fifo.reader].ends.size() + fifo.depth)
+                return HandOver{fifo.name, true, fifo.reader, fifo.depth};
+            if (fifo.reader == number && *step.calls >= processes[fifo.writer].ends.size())
+                return HandOver{fifo.name + "_filled", false, fifo.writer, 0};
+        }
+        return std::nullopt;
+    }
+    /// When a process got to the step to come: not before the call of all begins that it is part of.
+    Cycles arrival(std::size_t number) const {
+        OfProcess const& process = processes[number];
+        std::optional<std::size_t> const sample = process.steps[process.next].begins;
+        bool const is_begun = std::all_of(processes.begin(), processes.end(), [&](OfProcess const& other) {
+            return sample && other.ends.size() >= *sample;
+        });
+        Cycles arrived = process.arrived;
+        for (OfProcess const& other : processes)
+            if (is_begun && *sample > 0 && design_.calls == CallOrder::in_turn)
+                arrived = std::max(arrived, other.ends[*sample - 1] + 1);
+        return arrived;
+    }
 
     bool may_access(std::size_t process, std::size_t number) const {
         OfFifo const& fifo = fifos[number];
@@ -136,6 +181,13 @@ class CoreSimulation {
 
     bool may_step(std::size_t number) {
         OfProcess& process = processes[number];
+        bool const is_first = !process.has_accessed && process.next == 0;
+        if (auto const awaited = hand_over_awaited(number); awaited) {
+            ++(is_first ? process.idle : awaited->writes ? process.full : process.empty);
+            return false;
+        }
+        if (process.steps[process.next].calls && !design_.processes[number].buffers.empty())
+            process.has_accessed = true;
         for (std::size_t const fifo : process.steps[process.next].accesses) {
             if (may_access(number, fifo))
                 continue;
@@ -149,13 +201,14 @@ class CoreSimulation {
 
     void step(std::size_t number) {
         OfProcess& process = processes[number];
+        Cycles const arrived = arrival(number);
         Step const& step = process.steps[process.next++];
         for (std::size_t const fifo : step.accesses)
             (design_.writes(number, fifo) ? fifos[fifo].written : fifos[fifo].read).push_back(cycle_);
         process.has_accessed = process.has_accessed || !step.accesses.empty();
         // A sample begins when the process gets to its first step, and waits there.
         if (step.begins)
-            process.begins.push_back(process.arrived);
+            process.begins.push_back(arrived);
         if (step.ends)
             process.ends.push_back(cycle_);
         process.arrived = process.end = cycle_ + 1;
@@ -191,21 +244,28 @@ void add_waits(Design const& design, std::size_t core, CoreSimulation const& sim
         if (process.is_done())
             continue;
         std::string line;
-        for (std::size_t const fifo : missing(design, simulation, i)) {
-            bool const writes = design.writes(i, fifo);
-            std::size_t const other = writes ? design.fifos[fifo].reader : design.fifos[fifo].writer;
-            line += (line.empty() ? "" : any_of_these) +
-                    wait_line(core, design.processes[i].name, design.fifos[fifo].name, writes, process.arrived,
-                              design.processes[other].name, simulation.fifos[fifo].holds());
-        }
+        Cycles const since = simulation.arrival(i);
+        if (auto const awaited = simulation.hand_over_awaited(i); awaited)
+            line = wait_line(core, design.processes[i].name, awaited->fifo, awaited->writes, since,
+                             design.processes[awaited->other].name, awaited->holds);
+        else
+            for (std::size_t const fifo : missing(design, simulation, i)) {
+                bool const writes = design.writes(i, fifo);
+                std::size_t const other = writes ? design.fifos[fifo].reader : design.fifos[fifo].writer;
+                line += (line.empty() ? "" : any_of_these) +
+                        wait_line(core, design.processes[i].name, design.fifos[fifo].name, writes, since,
+                                  design.processes[other].name, simulation.fifos[fifo].holds());
+            }
         figures.lines.push_back(line);
-        latest = std::max(latest, process.arrived);
+        latest = std::max(latest, since);
     }
 }
 
 void add_tables(Design const& design, std::size_t core, CoreSimulation const& simulation, std::size_t samples,
                 Cycles total, Figures& figures) {
     for (std::size_t i = 0; i < design.fifos.size(); ++i) {
+        if (design.fifos[i].is_ping_pong)
+            continue;
         CoreSimulation::OfFifo const& fifo = simulation.fifos[i];
         figures.lines.push_back(fifo_line(core, design.fifos[i].name, fifo.written.size(), fifo.read.size(), fifo.full,
                                           fifo.empty, fifo.most));

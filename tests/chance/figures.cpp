@@ -10,6 +10,8 @@ namespace {
 void add_tables(RunStatistics const& run, std::size_t core, std::vector<std::string>& lines) {
     CoreStatistics const& of_core = run.cores[core];
     for (std::size_t i = 0; i < run.machine.fifos.size(); ++i) {
+        if (run.machine.fifos[i].hands_over > 0)
+            continue;
         FifoStatistics const& fifo = of_core.fifos[i];
         lines.push_back(fifo_line(core, run.machine.fifos[i].name, fifo.writes, fifo.reads, fifo.full_stall_cycles,
                                   fifo.empty_stall_cycles, fifo.max_occupancy));

@@ -198,7 +198,7 @@ std::vector<Wait> CoreTiming::waits() {
         if (status != ProcessTiming::Status::blocked && !starving && !process.waits_for_room())
             continue;
         unsigned const port = process.waits_for_room() ? process.flushing_port()
-                              : starving               ? static_cast<unsigned>(process.starving_port())
+                              : starving               ? process.starved_port()
                                                        : process.missing_port();
         FifoTiming const& fifo = process.fifo(port);
         Wait wait;

@@ -96,6 +96,15 @@ unsigned ProcessTiming::missing_port() const {
     return missing;
 }
 
+unsigned ProcessTiming::starved_port() const {
+    auto starved = static_cast<unsigned>(starving_port_);
+    starving_with_.each([&](unsigned port) {
+        if (ports_[port].end.known() == 0)
+            starved = std::min(starved, port);
+    });
+    return starved;
+}
+
 Cycles ProcessTiming::front_cycle() const {
     Cycles cycle = state_.time;
     front_ports_.each([&](unsigned number) {
@@ -246,6 +255,7 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
     arrival_ = other.arrival_;
     charged_until_ = other.charged_until_;
     starving_port_ = other.starving_port_;
+    starving_with_ = other.starving_with_;
     set_observer(observer_);
 }
 
@@ -262,8 +272,9 @@ LoopCost ProcessTiming::loop_cost(unsigned loop) const {
                              counters.interlock_cycles;
     cost.port_conflict_cycles =
         counters.iterations * interval.port_conflict_per_iteration - counters.port_conflict_beyond_end;
-    Cycles const depth = loops()[loop].depth;
-    cost.fill_drain_cycles = depth > interval.achieved ? counters.entries * (depth - interval.achieved) : 0;
+    LoopShape const& shape = loops()[loop];
+    Cycles const of_pipeline = shape.depth > interval.achieved ? shape.depth - interval.achieved : 0;
+    cost.fill_drain_cycles = counters.entries * (shape.entry_states + of_pipeline + shape.exit_states);
     return cost;
 }
 

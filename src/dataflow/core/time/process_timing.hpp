@@ -89,6 +89,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
 
     /// Cycles of one setup, which is a wait of its own in statistics and on a critical path.
     void set_setup_cycles(Cycles cycles) { shape_->setup_cycles = cycles; }
+    void set_call_start(CallStart start) { shape_->call_start = start; }
     /// Stamps note the last cycle that has passed, instead of the one to come.
     void let_stamps_look_back(bool look_back) { shape_->stamps_back = look_back ? 1 : 0; }
     Cycles setup_cycles() const { return shape_->setup_cycles; }
@@ -112,10 +113,10 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     /// The cycle in which the front step happens; front() said `ready`.
     Cycles front_cycle() const;
     Ports front_ports() const { return front_ports_; }
-    /// Steps from the begin of the loop that it is in to the one that front() stopped at.
+    /// Steps from the begin of the first iteration of the loop that it is in to the one that front() stopped at.
     Cycles front_step() const {
         PipelinePosition const& pipeline = state_.pipeline;
-        return plan_->fill +
+        return plan_->fill - loops()[state_.loop].entry_states +
                (plan_->aligned ? state_.iterations * plan_->ii : pipeline.iteration * plan_->ii + pipeline.offset);
     }
     void commit_front();
@@ -209,6 +210,9 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     /// The port whose next token the process itself waits for before it can say what it does next; -1: none.
     int starving_port() const { return starving_port_; }
     void set_starving(int port) { starving_port_ = port; }
+    /// Of that port and others of the same step, whose tokens it has, but may not have read them: as missing_port().
+    unsigned starved_port() const;
+    void set_starving_with(Ports others) { starving_with_ = others; }
     /// Where the process is, for people: "scan, iteration 12".
     std::string position() const;
     /// Where in the source a loop begins, and where a port is accessed outside loops.
@@ -297,6 +301,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     Ports front_ports_;  ///< accesses of the step at hand
     unsigned blocking_port_ = 0;
     int starving_port_ = -1;
+    Ports starving_with_;
 };
 
 }  // namespace dataflow::timing

@@ -23,6 +23,9 @@ DataflowCore::DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<
         memory_events_.resize(machine_->process_places());
     }
     begun_.resize(timing_->processes().size());
+    for (MachineFifo const& fifo : machine_->fifos)
+        if (fifo.hands_over > 0)
+            made_.push_back(std::make_unique<HandOverChannel>(fifo.name.c_str(), fifo_timing(fifo.name)));
 }
 
 std::vector<FifoChannel*> const& DataflowCore::channels() const {
@@ -138,7 +141,9 @@ void DataflowCore::begin_sample(std::size_t process) {
 /// All others wait for what these write.
 void DataflowCore::await_turn_of(std::size_t process) const {
     std::vector<MachineEnd> const& ends = machine_->processes[process].ends;
-    bool const reads = std::any_of(ends.begin(), ends.end(), [](MachineEnd const& end) { return !end.writes; });
+    bool const reads = std::any_of(ends.begin(), ends.end(), [](MachineEnd const& end) {
+        return !end.writes && (end.when == FifoEnd::When::within_call || end.when == FifoEnd::When::call_begins);
+    });
     while (!reads && before_ != nullptr && !before_->is_turn_over_)
         sc_core::wait(before_->turn_ends_);
 }

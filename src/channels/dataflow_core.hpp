@@ -13,11 +13,13 @@
 #include <vector>
 
 #include "channels/clocked_fifo.hpp"
+#include "channels/ping_pong.hpp"
 #include "channels/time_base.hpp"
 #include "dataflow/base/write_distances.hpp"
 #include "dataflow/core/machine/core_share.hpp"
 #include "dataflow/core/machine/machine.hpp"
 #include "dataflow/phrases/phrase_core.hpp"
+#include "dataflow/run/config/calls.hpp"
 #include "dataflow/run/figures/run_statistics.hpp"
 #include "dataflow/tools/recording/running_core.hpp"
 
@@ -54,6 +56,13 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
         auto* const found = dynamic_cast<ClockedFifo<Token>*>(channels()[machine_->fifo(name)]);
         if (found == nullptr)
             throw std::logic_error("the FIFO " + std::string(name) + " is not there, or carries other tokens");
+        return *found;
+    }
+    /// Ping-pong buffers by their name, likewise.
+    template <class Word> PingPong<Word>& ping_pong(std::string const& name) const {
+        auto* const found = dynamic_cast<PingPong<Word>*>(channels()[machine_->fifo(filled_fifo(name))]);
+        if (found == nullptr)
+            throw std::logic_error("the ping-pong buffer " + name + " is not there, or has other words");
         return *found;
     }
     /// The external memory that the cores share, and the number of this one; null: an ideal one.
@@ -124,6 +133,9 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
   protected:
     /// Of a FIFO by its name in the machine, to make its channel with.
     timing::FifoTiming& fifo_timing(std::string_view fifo) { return timing_->fifo(machine_->fifo(fifo)); }
+
+    /// Of ping-pong buffers by their name.
+    timing::FifoTiming& ping_pong_timing(std::string const& name) { return fifo_timing(filled_fifo(name)); }
 
     /// A FIFO that needs no member: its modules ask for it by fifo(), or have ports that are bound to it. In the
     /// constructor only.

@@ -77,4 +77,11 @@ class FifoChannel : public sc_core::sc_prim_channel {
     bool writer_waits_ = false;
 };
 
+/// One that hands over calls, and no tokens: see with_calls().
+class HandOverChannel final : public FifoChannel {
+  public:
+    using FifoChannel::FifoChannel;
+    std::vector<TokenField> token_fields() const override { return {}; }
+};
+
 }  // namespace dataflow

@@ -28,8 +28,12 @@ ProcessClock::ProcessClock(DataflowCore& core, std::string_view process)
 void ProcessClock::connect_all() {
     Machine const& machine = dataflow_core_.machine();
     MachineProcess const& process = machine.processes[timing_.index()];
-    for (MachineEnd const& end : process.ends)
+    for (MachineEnd const& end : process.ends) {
         end.writes ? connect_writes(channel_of(end.fifo)) : connect_reads(channel_of(end.fifo));
+        if (end.when != FifoEnd::When::within_call)
+            hand_overs_[end.when] =
+                hand_overs_[end.when] | timing::Ports::of(static_cast<unsigned>(timing_.port_count() - 1));
+    }
     std::string const loop_of_stream = connect_stream();
     for (std::size_t const number : process.loops) {
         MachineLoop const& loop = machine.loops[number];
@@ -38,7 +42,19 @@ void ProcessClock::connect_all() {
         add_loop(std::move(shape), channels_of(loop.writes), channels_of(loop.reads));
     }
     set_setup_cycles(process.setup_cycles);
+    timing_.set_call_start(process.call_start);
     timing_.let_stamps_look_back(process.stamps_look_back);
+}
+
+void ProcessClock::begin_call() {
+    if (dataflow_core_.machine().has_calls)
+        say([](OperationLog& log) { log.await_call(); });
+    hand_over(FifoEnd::When::call_begins);
+}
+
+void ProcessClock::hand_over(FifoEnd::When when) {
+    if (timing::Ports const ports = hand_overs_[when]; !ports.is_empty())
+        step(ports);
 }
 
 /// Last, though a step accesses it first: so the other ports have the numbers that they always have. Returns the loop

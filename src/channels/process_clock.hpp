@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "dataflow/base/cycles.hpp"
 #include "dataflow/base/source_site.hpp"
 #include "dataflow/base/write_distances.hpp"
+#include "dataflow/core/machine/module_description.hpp"
 #include "dataflow/core/memory/memory_block.hpp"
 #include "dataflow/core/time/core_timing.hpp"
 
@@ -52,6 +54,11 @@ class ProcessClock {
     /// The next iteration to be told waits for the writes of others that it must not overtake: those that its loop's
     /// WriteDistances have met in the iteration at hand there, or in the one before it.
     void await_writes(unsigned loop, bool of_one_before = false);
+
+    /// The call of all modules that it is part of begins, then its own, and that ends: SampleModule says so.
+    void begin_region() { hand_over(FifoEnd::When::region_begins); }
+    void begin_call();
+    void end_call() { hand_over(FifoEnd::When::call_ends); }
 
     /// The process is about to begin its next sample, or has done all of one: see DataflowCore.
     void begin_sample();
@@ -157,6 +164,11 @@ class ProcessClock {
         access(read_port_of(fifo));
         later(fifo, [&fifo, use = std::move(use)]() mutable { use(fifo.take()); });
     }
+    /// All of a loop that is not pipelined (LoopDescription::of_states), likewise.
+    template <class Body>
+    void repeat(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
+        pipeline(loop_name, count, std::move(body), site);
+    }
     /// All of a pipelined loop whose every iteration reads `late_fifo` in a later stage: `take` is called with the
     /// number of the iteration that has got there, and takes the token itself.
     template <class Body, class Take>
@@ -238,6 +250,7 @@ class ProcessClock {
     void let_out();
 
     std::string connect_stream();
+    void hand_over(FifoEnd::When when);
     bool is_memory(unsigned port) const { return uses_memory() && port == timing_.stream_port(); }
     static timing::Ports read_port_of(FifoChannel const& fifo);
     void require_first_stage(FifoChannel const& fifo) const;
@@ -265,6 +278,7 @@ class ProcessClock {
         WriteDistances const* distances;
     };
     std::vector<Interlock> interlocks_;
+    std::map<FifoEnd::When, timing::Ports> hand_overs_;
     SourceSite site_;
     bool collecting_ = false;
     timing::Ports collected_;

@@ -23,13 +23,16 @@ void SampleModule::work_on_all() {
     std::size_t const number = clock_.timing().index();
     for (std::size_t i = 0; i < core_.share().count; ++i) {
         clock_.begin_sample();
+        clock_.begin_region();
         if (number == core_.machine().begins && number != core_.machine().ends)
             clock_.stamp();
+        clock_.begin_call();
         work(core_.share().first + i);
-        if (number == core_.machine().ends) {
+        if (number == core_.machine().ends)
             clock_.stamp();
+        clock_.end_call();
+        if (number == core_.machine().ends)
             clock_.end_sample();
-        }
     }
 }
 

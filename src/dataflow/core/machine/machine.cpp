@@ -108,6 +108,7 @@ class Maker {
         machine_.begins = machine_.process(core.begins);
         machine_.ends = machine_.process(core.ends);
         machine_.is_over_with_last_sample = core.is_over_with_last_sample;
+        machine_.has_calls = core.has_calls;
         machine_.lead = lead_of(core_.pace, machine_);
     }
 
@@ -118,6 +119,7 @@ class Maker {
         MachineProcess process;
         process.name = module.name;
         process.stamps_look_back = module.stamps_look_back;
+        process.call_start = {settings_.start(module.name), settings_.calls == CallOrder::in_turn};
         decide(process, first_failing(module.conditions));
         machine_.processes.push_back(std::move(process));
         machine_.line_buffers.insert(machine_.line_buffers.end(), module.line_buffers.begin(),
@@ -145,7 +147,8 @@ class Maker {
     void add_fifo(std::string const& name) {
         PlacedEnd const written = find_end(name, true);
         PlacedEnd const read = find_end(name, false);
-        FifoSettings const settings = settings_.fifo(name);
+        FifoEnd const& end = *written.end;
+        FifoSettings const settings = settings_.fifo(end.sized_as.empty() ? name : end.sized_as);
         MachineFifo fifo;
         fifo.name = name;
         decide(fifo, written.decided_by.empty() ? read.decided_by : written.decided_by);
@@ -158,6 +161,8 @@ class Maker {
             fifo.read_stage = settings.read_stage.value_or(*read.end->read_stage);
         fifo.may_keep_tokens = written.end->may_keep_tokens;
         fifo.flushes = written.end->flushes;
+        if (end.when != FifoEnd::When::within_call)
+            fifo.depth = fifo.hands_over = end.sized_as.empty() ? 1 : fifo.depth;
         fifo.when_full = settings.when_full.value_or(WhenFull::freeze);
         fifo.bits = fifo.is_present ? written.end->bits : 0;
         fifo.generation = settings_.fifo_rules;
@@ -217,8 +222,12 @@ class Maker {
                     demands.push_back({memory.name, memory.sharers * memory.partition.accesses_per_bank(access.pattern),
                                        memory.ports});
         Cycles const recurrence = std::max(settings.recurrence_ii.value_or(1), description.recurrence);
-        loop.interval = timing::schedule(settings.ii.value_or(1), recurrence, demands);
         loop.depth = settings.depth.value_or(description.depth) + description.extra_depth;
+        loop.is_pipelined = description.is_pipelined;
+        loop.interval = loop.is_pipelined ? timing::schedule(settings.ii.value_or(1), recurrence, demands)
+                                          : timing::schedule(loop.depth, 1, {});
+        loop.entry_states = settings.entry_states.value_or(description.entry_states);
+        loop.exit_states = settings.exit_states.value_or(description.exit_states);
         for (MemoryStages const& stages : description.memory_stages)
             add_dependence(loop, stages);
         loop.writes = numbers_of(fifos_of(core_.modules[module], description, true));
@@ -281,7 +290,7 @@ class Maker {
             std::size_t const fifo = machine_.fifo(end.fifo);
             bool const is_there = process.is_present && machine_.fifos[fifo].is_present;
             if (is_there && first_failing(end.conditions).empty())
-                process.ends.push_back({fifo, end.writes});
+                process.ends.push_back({fifo, end.writes, end.when});
         }
     }
 
@@ -312,6 +321,8 @@ timing::FifoShape MachineFifo::shape() const {
     shape.read_latency = read_latency_of(kind);
     shape.write_latency = write_latency;
     shape.read_stage = read_stage;
+    if (hands_over > 0)
+        shape.read_latency = shape.room_latency = 0;
     if (flushes)
         (when_full == WhenFull::freeze ? shape.flushing_stages : shape.issue_latency) = write_latency;
     return shape;
@@ -327,6 +338,8 @@ timing::LoopShape MachineLoop::shape() const {
     shape.name = name;
     shape.interval = interval;
     shape.depth = depth;
+    shape.entry_states = entry_states;
+    shape.exit_states = exit_states;
     if (has_interlocks())
         for (MachineDependence const& dependence : dependences)
             shape.interlock_spans.push_back(dependence.interlocks() ? dependence.span() : 1);

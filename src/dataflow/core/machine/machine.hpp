@@ -29,6 +29,7 @@ namespace dataflow {
 struct MachineEnd {
     std::size_t fifo = 0;  ///< number of a FIFO
     bool writes = false;
+    FifoEnd::When when = FifoEnd::When::within_call;
 };
 
 struct MachineProcess {
@@ -36,6 +37,7 @@ struct MachineProcess {
     bool is_present = true;
     std::string decided_by;  ///< key that takes it away, if it is not there
     bool stamps_look_back = false;
+    timing::CallStart call_start;
     Cycles setup_cycles = 0;
     std::string setup_activity;                                 ///< "preparing rows", for reports
     std::optional<std::size_t> setup_counter;                   ///< FIFO with a write for every setup
@@ -58,11 +60,14 @@ struct MachineFifo {
     Cycles read_stage = 0;
     bool may_keep_tokens = false;  ///< unread at the end of a run
     bool flushes = false;
+    std::uint64_t hands_over = 0;  ///< no FIFO: so many calls may have begun that are not over; see with_calls()
     WhenFull when_full = WhenFull::freeze;  ///< if it flushes
     unsigned bits = 0;                      ///< of a token; 0: not there
 
     /// Tokens that fit.
-    std::uint64_t capacity() const { return depth + tokens_beyond_depth(kind, generation); }
+    std::uint64_t capacity() const {
+        return hands_over > 0 ? hands_over : depth + tokens_beyond_depth(kind, generation);
+    }
     /// Tokens that it is built for: behind a pipeline that squeezes, those of the pipeline as well.
     std::uint64_t tokens() const { return depth + tokens_of_pipeline(); }
     std::uint64_t tokens_of_pipeline() const { return flushes && when_full == WhenFull::squeeze ? write_latency : 0; }
@@ -78,6 +83,8 @@ struct MachineLoop {
     std::string timed_by;  ///< "MODULE.LOOP" whose keys time it
     timing::InitiationInterval interval;
     Cycles depth = 1;
+    bool is_pipelined = true;
+    Cycles entry_states = 0, exit_states = 0;
     std::vector<std::size_t> writes;  ///< numbers of FIFOs
     std::vector<MachineDependence> dependences;
     std::vector<std::size_t> reads;  ///< those it was told of: all if it writes, or reads in a later stage
@@ -137,6 +144,7 @@ struct Machine {
     std::size_t begins = 0;                          ///< process whose stamps begin samples
     std::size_t ends = 0;                            ///< process whose stamps end them
     bool is_over_with_last_sample = false;           ///< what processes do after that is not part of the run
+    bool has_calls = false;                          ///< its processes tell when a call begins
     std::shared_ptr<TellResources const> resources;  ///< asked by resources_of(); or none
 
     double milliseconds(Cycles cycles) const { return static_cast<double>(cycles) / (clock_mhz * 1e3); }

@@ -27,7 +27,14 @@ struct FifoSettings {
 struct LoopSettings {
     std::optional<Cycles> ii;             ///< initiation interval asked for by the pragma, >= 1
     std::optional<Cycles> recurrence_ii;  ///< initiation interval that a loop-carried dependence demands, >= 1
-    std::optional<Cycles> depth;          ///< pipeline stages, >= 1
+    std::optional<Cycles> depth;          ///< pipeline stages, >= 1; states of a loop that is not pipelined
+    std::optional<Cycles> entry_states, exit_states;  ///< of such a loop
+};
+
+/// How calls of a core's modules follow each other; key `accelerator.calls` (docs/timing-model.md#calls).
+enum class CallOrder {
+    overlapped,  ///< each module begins its next one as soon as it can
+    in_turn,     ///< none begins before all modules are done with the one before
 };
 
 /// One block RAM; keys `accelerator.brams.NAME.*`.
@@ -49,12 +56,14 @@ struct MachineSettings {
     std::uint64_t cores = 1;
     double clock_mhz = 200.0;
     FifoGeneration fifo_rules = FifoGeneration::vitis_hls;
+    CallOrder calls = CallOrder::overlapped;
     ExternalMemorySettings external_memory;
     std::map<std::string, FifoSettings> fifos;
     std::map<std::string, LoopSettings> loops;
     std::map<std::string, DependenceSettings> dependences;  ///< by MODULE.LOOP.MEMORY
     std::map<std::string, MemorySettings> memories;
     std::map<std::string, std::optional<Cycles>> setups;          ///< cycles of a module's setup; by module
+    std::map<std::string, Cycles> starts;                         ///< cycles after the region's begin; by module
     std::map<std::string, std::optional<std::uint64_t>> numbers;  ///< keys `accelerator.modules.MODULE.NAME`
 
     FifoSettings& fifo(std::string const& name) { return fifos[name]; }
@@ -62,6 +71,7 @@ struct MachineSettings {
     DependenceSettings& dependence(std::string const& name) { return dependences[name]; }
     MemorySettings& memory(std::string const& name) { return memories[name]; }
     std::optional<Cycles>& setup(std::string const& module) { return setups[module]; }
+    Cycles& start(std::string const& module) { return starts[module]; }
     std::optional<std::uint64_t>& number(std::string const& name) { return numbers[name]; }
 
     FifoSettings fifo(std::string const& name) const { return found(fifos, name); }
@@ -69,6 +79,7 @@ struct MachineSettings {
     DependenceSettings dependence(std::string const& name) const { return found(dependences, name); }
     MemorySettings memory(std::string const& name) const { return found(memories, name); }
     std::optional<Cycles> setup(std::string const& module) const { return found(setups, module); }
+    Cycles start(std::string const& module) const { return found(starts, module); }
     std::optional<std::uint64_t> number(std::string const& name) const { return found(numbers, name); }
 
   private:

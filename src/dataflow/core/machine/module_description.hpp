@@ -33,6 +33,9 @@ struct FifoEnd {
     bool may_keep_tokens = false;         ///< at the end of a run, unread: of the writing end
     bool flushes = false;                 ///< behind a flushing pipeline of its module, see timing::FlushingPipeline
     std::string latency_meaning;          ///< of such a pipeline, one sentence for the documentation
+    std::uint64_t buffer_words = 0;       ///< of a ping-pong buffer, which it is then: see hands_over()
+    enum class When { within_call, region_begins, call_begins, call_ends } when = When::within_call;  ///< with_calls()
+    std::string sized_as;  ///< FIFO whose depth it has; otherwise, as hand-over, one
 
     FifoEnd& carries(std::string text) { return tokens = std::move(text), *this; }
     FifoEnd& of_bits(std::uint64_t wires) { return bits = static_cast<unsigned>(wires), *this; }
@@ -48,6 +51,9 @@ struct FifoEnd {
     FifoEnd& flushes_after(Cycles stages, std::string meaning) {
         return flushes = true, write_latency = stages, latency_meaning = std::move(meaning), *this;
     }
+    /// Not a FIFO but a ping-pong buffer of so many words of block RAM, which its writer fills in one call, and its
+    /// reader empties in one. The key `depth` says how many such buffers there are. Channel: PingPong.
+    FifoEnd& hands_over(std::uint64_t words) { return buffer_words = words, *this; }
     /// Tokens may be left in the FIFO at the end of a run, which warns of them; otherwise they are an error.
     FifoEnd& keeps_tokens() { return may_keep_tokens = true, *this; }
     FifoEnd& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
@@ -94,7 +100,9 @@ struct LoopDescription {
     std::string task;        ///< "visits one pixel per iteration", for the documentation
     Cycles depth = 1;        ///< default number of pipeline stages
     Cycles extra_depth = 0;  ///< stages that other keys add
-    Cycles recurrence = 1;   ///< initiation interval that the design's own dependences demand
+    bool is_pipelined = true;
+    Cycles entry_states = 0, exit_states = 0;  ///< default cycles before the first iteration, and behind the last
+    Cycles recurrence = 1;                     ///< initiation interval that the design's own dependences demand
     std::vector<MemoryAccess> accesses;
     std::vector<MemoryStages> memory_stages;  ///< of memories whose dependences between iterations are looked after
     std::vector<std::string> writes;  ///< FIFOs that iterations write, but for those that say so: FifoEnd::leaves()
@@ -106,6 +114,13 @@ struct LoopDescription {
     LoopDescription& unlisted() { return is_listed = false, *this; }
     LoopDescription& does(std::string text) { return task = std::move(text), *this; }
     LoopDescription& of_depth(Cycles stages, Cycles more = 0) { return depth = stages, extra_depth = more, *this; }
+    /// Not pipelined: an iteration takes so many states, of a cycle each, and is over when the next one begins. There
+    /// is a state before the first iteration and one behind the last. States are numbered from 0 on, like stages.
+    LoopDescription& of_states(Cycles states) {
+        return is_pipelined = false, depth = states, enters_in(1).leaves_in(1);
+    }
+    LoopDescription& enters_in(Cycles states) { return entry_states = states, *this; }
+    LoopDescription& leaves_in(Cycles states) { return exit_states = states, *this; }
     LoopDescription& recurs_every(Cycles cycles) { return recurrence = cycles, *this; }
     LoopDescription& accesses_memory(std::string memory, AccessPattern pattern) {
         return accesses.push_back({std::move(memory), std::move(pattern)}), *this;
@@ -252,6 +267,7 @@ struct CoreDescription {
     /// The run is over with the last sample, whatever modules do after that: what they prepare for samples that do not
     /// come. Otherwise all that they do counts.
     bool is_over_with_last_sample = false;
+    bool has_calls = false;  ///< its modules tell when a call of theirs, which is a sample, begins: with_calls()
     std::string cores_are = "cores";  ///< what reports call cores
     std::string remark;               ///< what reports say of the machine besides, e.g. "window 200 x 200 px"
     Pace pace;                        ///< about speed of simulation only, see timing::Lead

@@ -14,6 +14,7 @@ struct FifoShape {
     std::string name;
     std::uint64_t capacity = 2;  ///< C: tokens that fit; `unlimited` or more: never full
     Cycles read_latency = 1;     ///< Lf: a token written in cycle s can be read from s + Lf on
+    Cycles room_latency = 1;     ///< of a token read in cycle r another can take the place from r + this on
     Cycles write_latency = 0;    ///< Lw: stage of the writing loop in which a token leaves; 0 outside loops
     Cycles read_stage = 0;       ///< stage of the reading loop in which a token is taken; 0 outside loops
     Cycles issue_latency = 0;  ///< stages of a squeezing pipeline in front of the FIFO, which hold tokens of their own
@@ -54,13 +55,14 @@ template <class Line> struct FifoRules {
           room(room_for),
           read_latency(static_cast<Time>(shape.read_latency)),
           later_than_write(static_cast<Time>(shape.issue_latency + shape.read_latency)),
+          later_than_read(static_cast<Time>(shape.room_latency)),
           readable(room),
           free(room) {}
 
     static std::uint64_t room_of(FifoShape const& shape) { return shape.capacity + shape.issue_latency; }
 
     FifoEnd<Line> writer() { return {&free, &readable, later_than_write}; }
-    FifoEnd<Line> reader() { return {&readable, &free, 1}; }
+    FifoEnd<Line> reader() { return {&readable, &free, later_than_read}; }
 
     /// The number of tokens in the FIFO at the end of a cycle is what a pair of a write and a read shows: of the write
     /// of token n and the read of token n - m, which happens later, that there were m + 1. Pairs whose read is not
@@ -87,6 +89,7 @@ template <class Line> struct FifoRules {
     std::uint64_t room;  ///< capacity and pipeline stages; of an unlimited FIFO: tokens of which cycles are kept
     Time read_latency;
     Time later_than_write;
+    Time later_than_read;
     Line readable;  ///< from when on tokens can be read
     Line free;      ///< from when on there is room for a write
 };

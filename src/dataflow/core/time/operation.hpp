@@ -86,10 +86,10 @@ class Operation {
         return head;
     }
     /// What a wait does: its gap. From first_dependence on, it is await_write() for the dependence of that number.
-    enum WaitFor : std::uint32_t { cycles, whole_setup, setup_begin, setup_end, first_dependence };
+    enum WaitFor : std::uint32_t { cycles, whole_setup, setup_begin, setup_end, first_dependence, call_start = 1023 };
     bool is_plain_wait() const { return gap() == cycles; }
     /// Of a wait: what await_write() says, and the number of its dependence.
-    bool awaits_write() const { return gap() >= first_dependence; }
+    bool awaits_write() const { return gap() >= first_dependence && gap() != call_start; }
     std::uint32_t dependence() const { return gap() - first_dependence; }
     /// Says nothing besides what its kind can mean.
     bool is_well_formed() const {
@@ -163,6 +163,8 @@ class OperationLog {
     }
     /// T += what a setup of this process takes, whatever that is.
     void setup() { append(Operation(Kind::wait, 0, Operation::whole_setup, 1)); }
+    /// Outside loops: a call waits for its begin, see CallStart.
+    void await_call() { append(Operation(Kind::wait, 0, Operation::call_start, 0)); }
     /// Between iterations of a loop: a setup begins, and takes its time beside the loop.
     void begin_setup() { append(Operation(Kind::wait, 0, Operation::setup_begin, 1)); }
     /// Between iterations: the loop stands still until the oldest setup begun, and not awaited yet, is done.

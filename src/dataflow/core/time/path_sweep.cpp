@@ -33,7 +33,7 @@ std::vector<PathSweep::Position> live_positions(CoreTiming const& core) {
                 live.push_back({process.index(), fifo.earliest_read(i) - latency, flies});
             for (std::uint64_t i = 0; !process.writes(port) && i < fifo.known_writes(); ++i)
                 if (fifo.earliest_write(i) > 0)
-                    live.push_back({process.index(), fifo.earliest_write(i) - 1});
+                    live.push_back({process.index(), fifo.earliest_write(i) - fifo.shape().room_latency});
         }
     }
     return live;
@@ -218,9 +218,9 @@ void PathSweep::land(TrailEvent const& event, Cycles time) {
 PathSweep::Position PathSweep::origin(TrailEvent const& event, Cycles time) {
     ++sums_.turns(event.process, event.region, event.port);
     CoreTiming::Ends const& ends = core_.ends(event.process, event.port);
-    if (core_.processes()[event.process].writes(event.port))
-        return {static_cast<unsigned>(ends.reader), time - 1};
     FifoShape const& shape = core_.processes()[event.process].fifo(event.port).shape();
+    if (core_.processes()[event.process].writes(event.port))
+        return {static_cast<unsigned>(ends.reader), time - shape.room_latency};
     return {static_cast<unsigned>(ends.writer), time - shape.read_latency - shape.issue_latency,
             shape.flushing_stages > 0};
 }

@@ -391,6 +391,10 @@ template <class Process, class Port> class ProcessRules {
             state_.setups_done.push_back(state_.time + static_cast<Time>(cycles));
         } else if (operation.gap() == Operation::setup_end) {
             await_setup();
+        } else if (operation.gap() == Operation::call_start) {
+            CallStart const& start = shape_->call_start;
+            if (wait_in_setup(static_cast<Time>(start.after) + (start.is_in_turn ? state_.time : 0)))
+                mark(Region());
         } else {
             mark(Region::setup());
             pass(cycles * operation.count());
@@ -400,12 +404,16 @@ template <class Process, class Port> class ProcessRules {
     void await_setup() {
         Time const done = state_.setups_done.front();
         state_.setups_done.erase(state_.setups_done.begin());
-        if (done <= state_.time)
-            return;
+        if (wait_in_setup(done))
+            mark_loop(Region::Part::iterations);
+    }
+    bool wait_in_setup(Time until) {
+        if (until <= state_.time)
+            return false;
         mark(Region::setup());
-        self().awaited_setup(done - state_.time);
-        state_.time = done;
-        mark_loop(Region::Part::iterations);
+        self().awaited_setup(until - state_.time);
+        state_.time = until;
+        return true;
     }
 
     /// A frozen pipeline keeps its iterations as many steps apart as they were begun: II, and the bubbles in between.

@@ -29,11 +29,12 @@ Cycles first_stage(std::vector<Access> const& accesses) {
 
 LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting(iterations_that_count(loop)) {
     std::vector<Access> const accesses = accesses_of(loop);
-    fill = first_stage(accesses);
+    Cycles const first = first_stage(accesses);
+    fill = loop.entry_states + first;
     aligned = loop.reads.empty() || loop.writes.empty();
     std::map<Cycles, LoopPhase> phase_at;
     for (Access const& access : accesses) {
-        Cycles const behind = access.stage - fill;
+        Cycles const behind = access.stage - first;
         aligned = aligned && behind == 0;
         longest_lag = std::max(longest_lag, behind / ii);
         LoopPhase& phase = phase_at[behind % ii];
@@ -42,7 +43,7 @@ LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting
     }
     for (auto& phase : phase_at)
         phases.push_back(std::move(phase.second));
-    drain = static_cast<std::int64_t>(loop.depth) - static_cast<std::int64_t>(ii + fill);
+    drain = static_cast<std::int64_t>(loop.depth + loop.exit_states) - static_cast<std::int64_t>(ii + first);
     while (delay_line_length <= longest_lag)
         delay_line_length *= 2;
 }

@@ -21,11 +21,13 @@ struct LoopRead {
     Cycles stage = 0;  ///< below the loop's depth
 };
 
-/// One pipelined loop of a process (docs/timing-model.md#pipelined-loops).
+/// One loop of a process (docs/timing-model.md#pipelined-loops). One that is not pipelined is one whose interval is its
+/// depth, and so has one iteration at a time.
 struct LoopShape {
     std::string name;
     InitiationInterval interval;
-    Cycles depth = 1;  ///< L
+    Cycles depth = 1;                          ///< L
+    Cycles entry_states = 0, exit_states = 0;  ///< cycles before the first iteration, and behind the last
     std::vector<LoopWrite> writes;
     /// All ports that the loop reads. May be empty if it writes none, and each iteration reads in its first step.
     std::vector<LoopRead> reads;
@@ -68,14 +70,21 @@ struct LoopPlan {
     std::vector<LoopPhase> phases;
 };
 
+/// When a call of a process begins: so many cycles after the region that it is part of does.
+struct CallStart {
+    Cycles after = 0;
+    bool is_in_turn = false;  ///< each call of the region begins anew; otherwise there is one begin, cycle 0
+};
+
 /// What a process is, as far as time is concerned, besides its ports: the same for all copies of it.
 struct ProcessShape {
     std::vector<LoopShape> loops;
     std::vector<LoopPlan> plans;  ///< of the loops
     Cycles setup_cycles = 0;      ///< of one setup
-    Cycles stamps_back = 0;       ///< cycles between what a stamp notes and the local time
-    Cycles flushing_stages = 0;   ///< of its FlushingPipeline; 0: it has none
-    unsigned flushing_port = 0;   ///< by which tokens leave that
+    CallStart call_start;
+    Cycles stamps_back = 0;      ///< cycles between what a stamp notes and the local time
+    Cycles flushing_stages = 0;  ///< of its FlushingPipeline; 0: it has none
+    unsigned flushing_port = 0;  ///< by which tokens leave that
 
     /// That of a process which finds whatever it takes from memory, at a port, there.
     ProcessShape fed(unsigned stream_port) const;

@@ -262,8 +262,9 @@ LoopCost ProcessTiming::loop_cost(unsigned loop) const {
                              counters.interlock_cycles;
     cost.port_conflict_cycles =
         counters.iterations * interval.port_conflict_per_iteration - counters.port_conflict_beyond_end;
-    Cycles const depth = loops()[loop].depth;
-    cost.fill_drain_cycles = depth > interval.achieved ? counters.entries * (depth - interval.achieved) : 0;
+    LoopShape const& shape = loops()[loop];
+    Cycles const of_pipeline = shape.depth > interval.achieved ? shape.depth - interval.achieved : 0;
+    cost.fill_drain_cycles = counters.entries * (shape.entry_states + of_pipeline + shape.exit_states);
     return cost;
 }
 

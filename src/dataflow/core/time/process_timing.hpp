@@ -89,6 +89,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
 
     /// Cycles of one setup, which is a wait of its own in statistics and on a critical path.
     void set_setup_cycles(Cycles cycles) { shape_->setup_cycles = cycles; }
+    void set_call_start(CallStart start) { shape_->call_start = start; }
     /// Stamps note the last cycle that has passed, instead of the one to come.
     void let_stamps_look_back(bool look_back) { shape_->stamps_back = look_back ? 1 : 0; }
     Cycles setup_cycles() const { return shape_->setup_cycles; }

@@ -8,6 +8,7 @@
 #include "dataflow/base/enum_size.hpp"
 #include "dataflow/core/machine/external_memory_settings.hpp"
 #include "dataflow/core/machine/fifo_kind.hpp"
+#include "dataflow/core/machine/machine_settings.hpp"
 #include "dataflow/core/machine/partition_config.hpp"
 #include "dataflow/run/config/run_config.hpp"
 
@@ -43,6 +44,11 @@ template <> struct EnumNames<WhenFull> {
 template <> struct EnumNames<PartitionType> {
     static constexpr std::array<std::pair<PartitionType, char const*>, 3> all{
         {{PartitionType::none, "none"}, {PartitionType::cyclic, "cyclic"}, {PartitionType::block, "block"}}};
+};
+
+template <> struct EnumNames<CallOrder> {
+    static constexpr std::array<std::pair<CallOrder, char const*>, 2> all{
+        {{CallOrder::overlapped, "overlapped"}, {CallOrder::in_turn, "in_turn"}}};
 };
 
 template <> struct EnumNames<MemoryModel> {

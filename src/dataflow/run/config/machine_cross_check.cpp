@@ -19,10 +19,9 @@ std::int64_t integer_of(LoadedConfig const& loaded, std::string const& key) {
 std::int64_t default_of(std::string const& key) { return std::get<std::int64_t>(find_key(key)->read(RunConfig())); }
 
 /// An access happens before the pipeline ends. If only the loop's depth was set, that is what the message blames.
-/// `loop`: the one that accesses, MODULE.LOOP.
-void check_stage(LoadedConfig const& loaded, std::string const& stage_key, std::string const& loop,
+/// `depth_key`: of the loop that accesses.
+void check_stage(LoadedConfig const& loaded, std::string const& stage_key, std::string const& depth_key,
                  std::vector<std::string>& complaints) {
-    std::string const depth_key = loop_key_name(loop, "depth");
     std::int64_t const stage = integer_of(loaded, stage_key);
     std::int64_t const depth = integer_of(loaded, depth_key);
     if (stage < depth)
@@ -45,7 +44,7 @@ void check_stages(LoadedConfig const& loaded, CoreDescription const& core, Machi
         std::string const stage_key = fifo_key_name(fifo.name, writes ? "write_latency" : "read_stage");
         for (FifoEnd const& end : module.ends)
             if (end.writes == writes && end.fifo == fifo.name && !end.loop.empty())
-                check_stage(loaded, stage_key, keyed_loop(module, end.loop), complaints);
+                check_stage(loaded, stage_key, stages_key_name(module, end.loop), complaints);
     }
 }
 

@@ -56,7 +56,7 @@ struct EndOfModule {
     ModuleDescription const& module;
     FifoEnd const& end;
 
-    std::string depth_key() const { return loop_key_name(keyed_loop(module, end.loop), "depth"); }
+    std::string depth_key() const { return stages_key_name(module, end.loop); }
 };
 
 template <class Is> std::optional<EndOfModule> find_end(CoreDescription const& core, Is is) {
@@ -117,7 +117,19 @@ void add_flushing_keys(Keys& keys, ModuleDescription const& module) {
                 [](auto& settings) -> auto& { return settings.when_full; }, WhenFull::freeze));
 }
 
+void add_buffers_key(Keys& keys, FifoEnd const& written) {
+    keys.push_back(step_key(
+        {fifo_key_name(written.fifo, "depth"), "buffers", fmt::format("Ping-pong buffers: {}.", written.tokens),
+         "HLS default"},
+        {1, 1024}, [name = written.fifo](auto& settings) -> decltype(auto) { return settings.fifo(name); },
+        [](auto& settings) -> auto& { return settings.depth; }, FifoSettings::default_depth));
+}
+
 void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& name) {
+    if (FifoEnd const& written = writing_end(core, name).end; written.buffer_words > 0) {
+        add_buffers_key(keys, written);
+        return;
+    }
     auto const fifo = [name](auto& settings) -> decltype(auto) { return settings.fifo(name); };
     keys.push_back(step_key(
         {fifo_key_name(name, "depth"), "tokens",
@@ -165,7 +177,27 @@ void add_dependence_keys(Keys& keys, std::string const& loop, MemoryStages const
         dependence, [](auto& settings) -> auto& { return settings.hazards; }, HazardHandling::report));
 }
 
+void add_states_keys(Keys& keys, std::string const& name, LoopDescription const& description) {
+    auto const loop = [name](auto& settings) -> decltype(auto) { return settings.loop(name); };
+    keys.push_back(step_key(
+        {loop_key_name(name, "states"), "cycles",
+         fmt::format("States of an iteration, which are over before the next one begins; the loop {}.",
+                     description.task),
+         "HLS schedule"},
+        cycles_range, loop, [](auto& settings) -> auto& { return settings.depth; }, description.depth));
+    keys.push_back(step_key(
+        {loop_key_name(name, "entry_states"), "cycles", "States before the loop's first iteration.", "HLS schedule"},
+        {0, 1'000'000}, loop, [](auto& settings) -> auto& { return settings.entry_states; }, description.entry_states));
+    keys.push_back(step_key(
+        {loop_key_name(name, "exit_states"), "cycles", "States behind the loop's last iteration.", "HLS schedule"},
+        {0, 1'000'000}, loop, [](auto& settings) -> auto& { return settings.exit_states; }, description.exit_states));
+}
+
 void add_loop_keys(Keys& keys, std::string const& name, LoopDescription const& description) {
+    if (!description.is_pipelined) {
+        add_states_keys(keys, name, description);
+        return;
+    }
     auto const loop = [name](auto& settings) -> decltype(auto) { return settings.loop(name); };
     keys.push_back(step_key(
         {loop_key_name(name, "ii"), "cycles",
@@ -207,6 +239,15 @@ void add_number_key(Keys& keys, std::string const& module, NumberDescription con
     keys.back().decides_time = false;
 }
 
+/// Of modules that tell when a call of theirs begins.
+Key starts_key(std::string const& module) {
+    return step_key(
+        {module_key_name(module, "starts"), "cycles", "Cycles after the begin of a call of all in which it begins.",
+         "HLS schedule"},
+        {0, 1'000'000}, [module](auto& settings) -> decltype(auto) { return settings.start(module); },
+        [](auto& cycles) -> auto& { return cycles; }, 0);
+}
+
 /// These decide about time, but are no steps of one quantity: a factor means nothing without a type.
 void add_partition_keys(Keys& keys, MemoryDescription const& description) {
     std::string const name = description.name;
@@ -242,6 +283,13 @@ void add_memory_keys(Keys& keys, MemoryDescription const& description) {
 
 }  // namespace
 
+std::string stages_key_name(ModuleDescription const& module, std::string const& loop) {
+    auto const found = std::find_if(module.loops.begin(), module.loops.end(),
+                                    [&loop](LoopDescription const& one) { return one.name == loop; });
+    bool const is_pipelined = found == module.loops.end() || found->is_pipelined;
+    return loop_key_name(keyed_loop(module, loop), is_pipelined ? "depth" : "states");
+}
+
 Keys machine_keys(CoreDescription const& core) {
     Keys keys;
     for (std::string const& fifo : core.fifos)
@@ -253,9 +301,12 @@ Keys machine_keys(CoreDescription const& core) {
     for (ModuleDescription const& module : core.modules)
         for (MemoryDescription const& memory : module.memories)
             add_memory_keys(keys, memory);
-    for (ModuleDescription const& module : core.modules)
+    for (ModuleDescription const& module : core.modules) {
         for (NumberDescription const& number : module.numbers)
             add_number_key(keys, module.name, number);
+        if (core.has_calls)
+            keys.push_back(starts_key(module.name));
+    }
     return keys;
 }
 
@@ -270,6 +321,15 @@ Key clock_key(std::string source) {
         {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", std::move(source)},
         {0, std::numeric_limits<double>::infinity(), true},
         [](auto& settings) -> auto& { return settings.clock_mhz; }));
+}
+
+Key calls_key() {
+    return KeyMaker<MachineSettings>::choice_key(
+        {"accelerator.calls", "",
+         "How samples follow each other: overlapped, each module begins its next one as soon as it can; in_turn, all "
+         "modules are done with one before any begins the next.",
+         "timing model"},
+        [](auto& settings) -> auto& { return settings.calls; });
 }
 
 Key fifo_rules_key() {

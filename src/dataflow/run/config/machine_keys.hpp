@@ -13,6 +13,9 @@ namespace dataflow {
 /// configuration does not have are among them. Their defaults and their texts are the description's.
 Keys machine_keys(CoreDescription const& core);
 
+/// What bounds the stages of a module's loop: its key `depth`, or `states` if it is not pipelined.
+std::string stages_key_name(ModuleDescription const& module, std::string const& loop);
+
 /// How many cores share the samples; name, meaning and source are the design's.
 Key cores_key(std::string name, std::string meaning, std::string source);
 
@@ -21,6 +24,9 @@ Key clock_key(std::string source);
 
 /// accelerator.fifo_rules
 Key fifo_rules_key();
+
+/// accelerator.calls
+Key calls_key();
 
 /// accelerator.architecture, for a design with presets. `field`: where its `Config` keeps the name.
 template <class Config, class Field> Key architecture_key(std::string source, Field field) {

@@ -56,12 +56,18 @@ std::vector<Key> SimpleDesign::keys() const {
     keys.push_back(clock_key(facts_.name));
     keys.push_back(fifo_rules_key());
     add_numbers(true);
-    CoreDescription const core = describe(defaults().numbers);
+    CoreDescription core = describe(defaults().numbers);
     check_design(core);
     require_no_streams(core);
+    core.has_calls = true;
+    keys.push_back(calls_key());
     for (Key& key : machine_keys(core))
         keys.push_back(std::move(key));
     return keys;
+}
+
+std::string SimpleDesign::why_not_retimable(std::string const& key) const {
+    return key == calls_key().name() ? "decides which operations there are, not when" : Design::why_not_retimable(key);
 }
 
 }  // namespace dataflow

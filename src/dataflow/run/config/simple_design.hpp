@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/run/config/calls.hpp"
 #include "dataflow/run/config/design.hpp"
 
 namespace dataflow {
@@ -55,7 +56,10 @@ class SimpleDesign : public Design {
     std::string name() const override { return facts_.name; }
     std::unique_ptr<DesignConfig> default_config() const override;
     std::vector<Key> keys() const override;
-    CoreDescription core(RunConfig const& config) const override { return describe(numbers_of(config)); }
+    CoreDescription core(RunConfig const& config) const override {
+        return with_calls(describe(numbers_of(config)), config.machine());
+    }
+    std::string why_not_retimable(std::string const& key) const override;
     std::vector<ColumnFacts> const& counters() const override { return facts_.counters; }
 
     static Numbers const& numbers_of(RunConfig const& config) { return config.as<SimpleConfig>().numbers; }

@@ -45,6 +45,7 @@ std::unique_ptr<timing::PhraseCore> core_variant(timing::CoreTiming const& bluep
             variant.add_loop(variant_of(loop, variant, machine));
         copy_sites(process, variant);
         variant.set_setup_cycles(machine.processes[variant.index()].setup_cycles);
+        variant.set_call_start(machine.processes[variant.index()].call_start);
         variant.let_stamps_look_back(machine.processes[variant.index()].stamps_look_back);
     }
     return core;

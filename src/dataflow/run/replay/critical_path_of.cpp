@@ -62,7 +62,7 @@ class ProcessRows {
         row.fifo = core_.number_of(process_.fifo(port));
         bool const writes = process_.writes(port);
         row.cause = writes ? PathCause::backpressure : PathCause::read_latency;
-        row.cycles = row.crossings * (writes ? 1 : shape.read_latency);
+        row.cycles = row.crossings * (writes ? shape.room_latency : shape.read_latency);
         put(row);
         if (!writes && shape.issue_latency > 0)
             add_flight(row, shape.issue_latency);

@@ -63,7 +63,7 @@ bool OperationCheck::accepts_mix(Operation const& operation) const {
 bool OperationCheck::accepts_wait(Operation const& operation) {
     if (operation.awaits_write())
         return state_.in_loop && accepts_await_write(operation);
-    if (operation.gap() <= Operation::whole_setup)
+    if (operation.gap() <= Operation::whole_setup || operation.gap() == Operation::call_start)
         return !state_.in_loop;
     if (!prepares_beside_loops())
         return false;
@@ -86,7 +86,7 @@ bool OperationCheck::prepares_beside_loops() const {
 bool OperationCheck::is_in_loop_at(Operation const& operation) {
     switch (operation.kind()) {
         case Kind::wait:
-            return operation.gap() > Operation::whole_setup;
+            return operation.gap() > Operation::whole_setup && operation.gap() != Operation::call_start;
         case Kind::leave:
         case Kind::iterate:
         case Kind::mixed:

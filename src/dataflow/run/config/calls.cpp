@@ -1,0 +1,70 @@
+#include "dataflow/run/config/calls.hpp"
+
+#include <algorithm>
+
+namespace dataflow {
+namespace {
+
+using When = FifoEnd::When;
+
+FifoEnd* find_end(CoreDescription& core, std::string const& fifo, bool writes) {
+    for (ModuleDescription& module : core.modules)
+        for (FifoEnd& end : module.ends)
+            if (end.fifo == fifo && end.writes == writes)
+                return &end;
+    return nullptr;
+}
+
+ModuleDescription& module_with(CoreDescription& core, std::string const& fifo, bool writes) {
+    return *std::find_if(core.modules.begin(), core.modules.end(), [&](ModuleDescription const& module) {
+        return std::any_of(module.ends.begin(), module.ends.end(),
+                           [&](FifoEnd const& end) { return end.fifo == fifo && end.writes == writes; });
+    });
+}
+
+/// A token that a module hands to another in a cycle of their calls.
+void add_hand_over(CoreDescription& core, std::string const& name, ModuleDescription& from, When written,
+                   ModuleDescription& to, When read, std::string const& sized_as) {
+    core.fifos.push_back(name);
+    FifoEnd& write = from.writes_to(name);
+    write.carries("a token for each call").when = written;
+    write.sized_as = sized_as;
+    to.reads_from(name).when = read;
+}
+
+void hand_over_buffers(CoreDescription& core, std::string const& name, MachineSettings const& settings) {
+    FifoEnd* const write = find_end(core, name, true);
+    FifoEnd* const read = find_end(core, name, false);
+    if (read == nullptr)
+        return;  // which is told as of any FIFO
+    MemoryDescription memory;
+    memory.name = name;
+    memory.holds(write->tokens).of_words(1, write->buffer_words, write->bits);
+    memory.in_buffers(settings.fifo(name).depth.value_or(FifoSettings::default_depth));
+    write->bits = 0;  // the memory has them
+    write->when = When::call_begins;
+    write->sized_as = name;
+    read->when = When::call_ends;
+    ModuleDescription& writer = module_with(core, name, true);
+    writer.memories.push_back(memory);
+    add_hand_over(core, filled_fifo(name), writer, When::call_ends, module_with(core, name, false), When::call_begins,
+                  name);
+}
+
+}  // namespace
+
+CoreDescription with_calls(CoreDescription core, MachineSettings const& settings) {
+    core.has_calls = true;
+    for (std::string const& fifo : std::vector<std::string>(core.fifos))
+        if (FifoEnd const* const end = find_end(core, fifo, true); end != nullptr && end->buffer_words > 0)
+            hand_over_buffers(core, fifo, settings);
+    for (std::size_t i = 1; settings.calls == CallOrder::in_turn && i < core.modules.size(); ++i) {
+        std::string const name = core.modules[i].name;
+        add_hand_over(core, name + "_begins", core.modules[0], When::region_begins, core.modules[i],
+                      When::region_begins, "");
+        add_hand_over(core, name + "_ends", core.modules[0], When::region_begins, core.modules[i], When::call_ends, "");
+    }
+    return core;
+}
+
+}  // namespace dataflow

@@ -5,7 +5,7 @@
 #include <systemc>
 #include <sysc/datatypes/fx/fx.h>
 
-#include "hls/ap_int.h"
+#include "ap_int.h"
 
 using ap_q_mode = sc_dt::sc_q_mode;  // NOLINT
 using ap_o_mode = sc_dt::sc_o_mode;  // NOLINT

@@ -9,6 +9,7 @@
 //   FASTER_PIPELINE(NAME, II)          a pipelined loop
 //   FASTER_PIPELINE(NAME, II, DEPTH)   and its stages, if they are known; 2 otherwise
 //   FASTER_LOOP(NAME, STATES)          a loop that is not pipelined, and the states of an iteration
+//   FASTER_STATES(NAME, STATES)        at the head of a block, which is no loop: it takes so many states
 //
 // For a tool, or with FASTER_UNTIMED defined, only the pragma is left.
 #include <hls_stream.h>
@@ -22,10 +23,12 @@
 #define FASTER_PIPELINE_2(name, ii) FASTER_LOOP_MARK(name, ii, 2, true)
 #define FASTER_PIPELINE_3(name, ii, depth) FASTER_LOOP_MARK(name, ii, depth, true)
 #define FASTER_LOOP(name, states) FASTER_LOOP_MARK(name, states, states, false)
+#define FASTER_STATES(name, states) FASTER_LOOP_MARK(name, states, states, false)
 #else
 #define FASTER_PIPELINE_2(name, ii) FASTER_PRAGMA(HLS PIPELINE II = ii)
 #define FASTER_PIPELINE_3(name, ii, depth) FASTER_PRAGMA(HLS PIPELINE II = ii)
 #define FASTER_LOOP(name, states) FASTER_PRAGMA(HLS PIPELINE off)
+#define FASTER_STATES(name, states)
 #endif
 #define FASTER_PIPELINE_CHOICE(name, ii, depth, choice, ...) choice
 #define FASTER_PIPELINE(...) \

@@ -47,6 +47,8 @@ class DiscoveredProcess {
     DiscoveredProcess(untimed::LoopRecorder const& recorder, untimed::Events const& events) : loops_(recorder.loops()) {
         used_in_.resize(loops_.size());
         is_run_.resize(loops_.size());
+        begins_with_states_ =
+            !events.empty() && events[0].what == Event::What::enter && !loops_[events[0].number].is_pipelined;
         std::size_t loop = 0;
         for (Event const& event : events) {
             if (event.what == Event::What::enter)
@@ -61,6 +63,8 @@ class DiscoveredProcess {
     }
 
     std::vector<LoopMark> const& loops() const { return loops_; }
+    /// A loop that is not pipelined has a state of its own before its first iteration.
+    bool has_start() const { return !begins_with_states_; }
     /// Not one that is only around others.
     bool is_run(std::size_t loop) const { return is_run_[loop]; }
     Accesses const& ends() const { return ends_; }
@@ -83,6 +87,7 @@ class DiscoveredProcess {
     }
 
     std::vector<LoopMark> const& loops_;
+    bool begins_with_states_ = false;
     std::vector<bool> is_run_;
     std::vector<Accesses> used_in_;  // by loop
     Accesses ends_;
@@ -115,13 +120,14 @@ class Describer {
         for (std::size_t i = 0; i < process.loops().size(); ++i)
             if (process.is_run(i))
                 add_loop(module, process, i);
-        SetupDescription start;
-        start.meaning = "Cycles from the begin of a call to its first state: one in which it starts, and those in which it "
-                        "does nothing that others see.";
-        start.activity = "starting";
-        if (!module.loops.empty())
-            start.before_loop = module.loops.front().name;
-        module.setup = start;
+        if (process.has_start()) {
+            SetupDescription start;
+            start.meaning = "Cycles from the begin of a call to its first access or loop: in one it starts.";
+            start.activity = "starting";
+            if (!module.loops.empty())
+                start.before_loop = module.loops.front().name;
+            module.setup = start;
+        }
         return module;
     }
 
@@ -153,9 +159,11 @@ class Describer {
 
     void add_loop(ModuleDescription& module, DiscoveredProcess const& process, std::size_t number) const {
         LoopMark const& mark = process.loops()[number];
-        LoopDescription& loop = module.loop(mark.name).of_depth(mark.depth).of_ii(mark.ii);
-        loop.does(mark.is_pipelined ? "is pipelined"
-                                    : "is not pipelined: its interval and its depth are the states of an iteration");
+        LoopDescription& loop = module.loop(mark.name);
+        if (mark.is_pipelined)
+            loop.does("is pipelined").of_depth(mark.depth).of_ii(mark.ii);
+        else
+            loop.does("is not pipelined").of_states(mark.depth);
         std::vector<std::string> writes;
         std::vector<std::string> reads;
         for (Access const& access : process.ends())
@@ -177,12 +185,14 @@ class HlsModule : public SimpleModule {
 
   private:
     untimed::LoopRecorder const& recorder() const { return core_.recorder(number_); }
+    MachineProcess const& process() const { return core_.machine().processes[number_]; }
 
     void work(std::size_t /*sample*/) override {
         HlsScript const script = core_.next_script(number_);
         script_ = &script;
         written_.assign(script.written.size(), 0);
-        clock_.set_up();
+        if (!process().setup_activity.empty())
+            clock_.set_up();
         for (std::size_t i = 0; i < script.events.size(); ++i) {
             Event const& event = script.events[i];
             if (event.what == Event::What::enter)
@@ -197,6 +207,7 @@ class HlsModule : public SimpleModule {
     /// Returns the event that leaves it.
     std::size_t run_loop(std::size_t begin) {
         LoopMark const& loop = recorder().loops()[script_->events[begin].number];
+        require_described(loop);
         std::uint64_t iterations = 0;
         std::size_t end = begin + 1;
         for (; script_->events[end].what == Event::What::iterate; ++end)
@@ -211,9 +222,15 @@ class HlsModule : public SimpleModule {
                 done = 0;
             }
         });
-        if (!loop.is_pipelined)
-            clock_.advance(1);  // its last state sees that it is over
         return end;
+    }
+    void require_described(LoopMark const& loop) const {
+        for (std::size_t const number : process().loops)
+            if (core_.machine().loops[number].name == loop.name)
+                return;
+        throw InputError("process " + process().name + " runs its loop " + loop.name +
+                         ", which it does not with the defaults of the design's numbers, expected defaults that make " +
+                         "it use all of its loops and streams");
     }
     void take(std::size_t stream) {
         clock_.take_later(core_.stream_fifo(stream), [](std::int64_t) {});

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "hls/observer.hpp"
-#include "hls/token_traits.hpp"
+#include "observer.hpp"
+#include "token_traits.hpp"
 
 namespace hls {
 

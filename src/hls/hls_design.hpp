@@ -1,10 +1,9 @@
 #pragma once
 // Everything that a program for functions over hls::stream includes; docs/tutorial.md writes one.
-#include <hls_stream.h>
-
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <hls_stream.h>
 #include <memory>
 #include <string>
 #include <utility>
@@ -116,14 +115,14 @@ template <class Design> class HlsCoreOf final : public HlsCore {
 }  // namespace dataflow
 
 /// The rest of a program for one design: its commands. Outside namespaces, once.
-#define FASTER_HLS_PROGRAM(DesignClass, description)                                                               \
-    static ::dataflow::SimpleSimulation<::dataflow::HlsCoreOf<DesignClass>> const& faster_hls_program() {          \
-        static ::dataflow::SimpleSimulation<::dataflow::HlsCoreOf<DesignClass>> const one(DesignClass::facts());   \
-        return one;                                                                                                \
-    }                                                                                                              \
-    ::dataflow::Design const& dataflow::design() { return faster_hls_program(); }                                  \
-    ::dataflow::SimulatedDesign const& dataflow::simulated_design() { return faster_hls_program(); }               \
-    int sc_main(int argc, char** argv) {                                                                           \
-        return ::dataflow::run_tool({DesignClass::facts().name, description, "1.0"}, ::dataflow::standard_commands(), argc, \
-                                    argv);                                                                         \
+#define FASTER_HLS_PROGRAM(DesignClass, description)                                                                  \
+    static ::dataflow::SimpleSimulation<::dataflow::HlsCoreOf<DesignClass>> const& faster_hls_program() {             \
+        static ::dataflow::SimpleSimulation<::dataflow::HlsCoreOf<DesignClass>> const one(DesignClass::facts());      \
+        return one;                                                                                                   \
+    }                                                                                                                 \
+    ::dataflow::Design const& dataflow::design() { return faster_hls_program(); }                                     \
+    ::dataflow::SimulatedDesign const& dataflow::simulated_design() { return faster_hls_program(); }                  \
+    int sc_main(int argc, char** argv) {                                                                              \
+        return ::dataflow::run_tool({DesignClass::facts().name, description, "1.0"}, ::dataflow::standard_commands(), \
+                                    argc, argv);                                                                      \
     }

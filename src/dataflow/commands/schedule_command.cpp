@@ -139,7 +139,8 @@ Subcommand schedule_command() {
                                 "Configuration to start from; it is run before and after, for the totals")
                     ->type_name("CONFIG");
                 add_overrides(command, request->overrides);
-                command.add_option("--out", request->out, "Write the configuration here (stdout, the table as comments)")
+                command
+                    .add_option("--out", request->out, "Write the configuration here (stdout, the table as comments)")
                     ->type_name("FILE");
                 return [request] { return write_schedule(*request); };
             }};

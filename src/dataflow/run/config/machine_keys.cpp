@@ -134,7 +134,8 @@ void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& n
     keys.push_back(step_key(
         {fifo_key_name(name, "depth"), "tokens",
          fmt::format("Depth of the FIFO: {}.", writing_end(core, name).end.tokens), "HLS default"},
-        {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; }, writing_end(core, name).end.depth));
+        {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; },
+        writing_end(core, name).end.depth));
     keys.push_back(choice_key(
         {fifo_key_name(name, "kind"), "",
          "How the FIFO is built; auto is a shift register up to depth 2, or as far as fifo_rules says, else a memory.",

@@ -82,9 +82,9 @@ class Scheduler {
             return same_name.front();
         if (same_name.empty() && of_module.size() == 1 && process.loops.size() == 1)
             return of_module.front();
-        result_.without.push_back(machine_.loop_name(number) + (same_name.empty()
-                                                                    ? " of the design: no loop of the report"
-                                                                    : " of the design: several loops of the report") +
+        result_.without.push_back(machine_.loop_name(number) +
+                                  (same_name.empty() ? " of the design: no loop of the report"
+                                                     : " of the design: several loops of the report") +
                                   ", expected a line in --map");
         return nullptr;
     }
@@ -120,7 +120,8 @@ class Scheduler {
             MachineFifo const& fifo = machine_.fifos[number];
             bool const was_last = fifo.write_latency + 1 == loop.depth;
             if (was_last || fifo.write_latency >= length)
-                set(fifo_key_name(fifo.name, "write_latency"), fifo.write_latency, length - 1, "assumed: the last stage");
+                set(fifo_key_name(fifo.name, "write_latency"), fifo.write_latency, length - 1,
+                    "assumed: the last stage");
         }
         for (std::size_t const number : loop.reads) {
             MachineFifo const& fifo = machine_.fifos[number];
@@ -148,11 +149,12 @@ class Scheduler {
     Schedule result_;
 };
 
-std::map<std::string, std::string> pairs_of(std::string const& file, YAML::Node const& map, std::string const& section) {
+std::map<std::string, std::string> pairs_of(std::string const& file, YAML::Node const& map,
+                                            std::string const& section) {
     std::map<std::string, std::string> pairs;
     if (!map.IsMap())
-        throw InputError(fmt::format("{}:{}: {} is no map, expected NAME: NAME OF THE REPORT", file,
-                                     map.Mark().line + 1, section));
+        throw InputError(
+            fmt::format("{}:{}: {} is no map, expected NAME: NAME OF THE REPORT", file, map.Mark().line + 1, section));
     for (auto const& pair : map) {
         if (!pair.first.IsScalar() || !pair.second.IsScalar())
             throw InputError(fmt::format("{}:{}: {} has something other than names, expected NAME: NAME OF THE REPORT",
@@ -174,8 +176,8 @@ NameMap read_name_map(std::string const& file) {
     for (auto const& section : root) {
         std::string const name = section.first.IsScalar() ? section.first.Scalar() : "";
         if (name != "loops" && name != "fifos")
-            throw InputError(fmt::format("{}:{}: section {}, expected loops or fifos", file,
-                                         section.first.Mark().line + 1, name));
+            throw InputError(
+                fmt::format("{}:{}: section {}, expected loops or fifos", file, section.first.Mark().line + 1, name));
         (name == "loops" ? names.loops : names.fifos) = pairs_of(file, section.second, name);
     }
     return names;

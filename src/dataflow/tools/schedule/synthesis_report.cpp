@@ -40,8 +40,8 @@ class ReportReader {
     }
     std::size_t line_of(std::ptrdiff_t offset) const {
         std::size_t const end = std::min(text_.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, offset)));
-        return 1 + static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(end),
-                                                       '\n'));
+        return 1 + static_cast<std::size_t>(
+                       std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
     }
     std::uint64_t whole_number(pugi::xml_node const& at, std::string const& what, std::string_view digits) const {
         std::uint64_t value = 0;
@@ -101,8 +101,8 @@ class ReportReader {
             pugi::xml_node const node = found.node();
             std::string const depth = trimmed(node.attribute("DEPTH").value());
             if (!depth.empty())
-                report_.fifos.push_back({node.attribute("VARIABLE").value(),
-                                         whole_number(node, "DEPTH of a BindNode", depth)});
+                report_.fifos.push_back(
+                    {node.attribute("VARIABLE").value(), whole_number(node, "DEPTH of a BindNode", depth)});
         }
     }
 
@@ -112,7 +112,8 @@ class ReportReader {
     SynthesisReport report_;
 };
 
-template <class Part, class IsSame> void add_new(std::vector<Part>& all, std::vector<Part> const& more, IsSame is_same) {
+template <class Part, class IsSame>
+void add_new(std::vector<Part>& all, std::vector<Part> const& more, IsSame is_same) {
     for (Part const& one : more)
         if (std::none_of(all.begin(), all.end(), [&](Part const& other) { return is_same(one, other); }))
             all.push_back(one);
@@ -135,7 +136,8 @@ SynthesisReport read_synthesis_reports(std::vector<std::string> const& files) {
         add_new(all.fifos, one.fifos, [](ReportFifo const& a, ReportFifo const& b) { return a.name == b.name; });
     }
     if (all.loops.empty())
-        throw InputError(files.front() + ": no loop, expected SummaryOfLoopLatency with one; some tools write a report " +
+        throw InputError(files.front() +
+                         ": no loop, expected SummaryOfLoopLatency with one; some tools write a report " +
                          "for each process, PROCESS_csynth.xml");
     return all;
 }

@@ -14,8 +14,8 @@ foreach(library IN LISTS faster_kernel_libraries)
 endforeach()
 install(TARGETS ${faster_kernel} EXPORT faster-sim-kernel ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/faster-sim)
 install(EXPORT faster-sim-kernel NAMESPACE dataflow:: DESTINATION ${faster_package_folder})
-install(DIRECTORY src/dataflow src/channels DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/faster-sim
-  FILES_MATCHING PATTERN "*.hpp" PATTERN page EXCLUDE)
+install(DIRECTORY src/dataflow src/channels src/hls DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/faster-sim
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h" PATTERN page EXCLUDE)
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/faster-sim-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES cmake/faster-sim-config.cmake cmake/FasterBudget.cmake cmake/FindSystemC.cmake

@@ -40,5 +40,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # For graphs on pages and the package for Python; for designs of one's own, which link the kernel.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "graphviz, python3, python3-numpy")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libsystemc-dev, libyaml-cpp-dev, libfmt-dev, libcli11-dev, nlohmann-json3-dev, libzstd-dev, libpng-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libsystemc-dev, libyaml-cpp-dev, libfmt-dev, libcli11-dev, nlohmann-json3-dev, libzstd-dev, libpugixml-dev, libpng-dev")
 include(CPack)

@@ -14,6 +14,7 @@ if(CXX IN_LIST faster_sim_languages)
   find_dependency(fmt)
   find_dependency(nlohmann_json)
   find_dependency(zstd)
+  find_dependency(pugixml)
   find_dependency(ZLIB)
   include(${CMAKE_CURRENT_LIST_DIR}/faster-sim-kernel.cmake)
   add_library(faster-sim::tool ALIAS dataflow::commands)  # its name before 0.2

@@ -27,6 +27,7 @@ may dataflow/run "$phrases"
 may dataflow/tools "$run"
 may channels "$tools"
 may dataflow/commands "$tools|channels"
+may hls "$tools|channels|dataflow/commands"
 may faster dataflow
 may modules 'dataflow|channels|faster'
 may poses 'dataflow|channels|faster|modules'

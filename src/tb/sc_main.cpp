@@ -18,7 +18,7 @@ int sc_main(int argc, char** argv) {
                      program_commit, program_commit_date},
                     {run_command([] { return std::make_unique<FasterRunExtras>(); }), check_command(), record_command(),
                      explore_command(), whatif_command(), sensitivities_command(), size_fifos_command(),
-                     compare_command(), cosim_command(), sweep_command(), edge_quality_command(), grip_command(),
-                     estimate_command(), evaluate_command(), experiment_command(), keys_command()},
+                     compare_command(), cosim_command(), sweep_command(), schedule_command(), edge_quality_command(),
+                     grip_command(), estimate_command(), evaluate_command(), experiment_command(), keys_command()},
                     argc, argv);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
 fs::path const example = fs::path(FASTER_SOURCE_DIR) / "examples" / "pipeline";
+
+fs::path const functions_example = fs::path(FASTER_SOURCE_DIR) / "examples" / "hls_pipeline";
 
 /// The fenced blocks of a language in the tutorial.
 std::vector<Lines> blocks_of(std::string const& language) {
@@ -48,7 +51,11 @@ bool has_line(Lines const& lines, std::string const& line) {
 }
 
 TEST_CASE("The tutorial shows the program as it is", "[examples]") {
-    Lines const program = lines_of(content_of(example / "pipeline.cpp"));
+    Lines program = lines_of(content_of(example / "pipeline.cpp"));
+    for (char const* const file : {"functions.cpp", "hls_pipeline.cpp"}) {
+        Lines const more = lines_of(content_of(functions_example / file));
+        program.insert(program.end(), more.begin(), more.end());
+    }
     Lines const settings = lines_of(content_of(example / "pipeline.yaml"));
     for (Lines const& block : blocks_of("cpp"))
         for (std::string const& line : block)
@@ -61,17 +68,21 @@ TEST_CASE("The tutorial shows the program as it is", "[examples]") {
 /// What follows a command is in its output, in the page's order; "..." stands for what is left out.
 TEST_CASE("The tutorial's commands print what it says", "[examples]") {
     TempFolder const folder;
-    for (auto const& entry : fs::directory_iterator(example))
-        if (entry.path().extension() == ".yaml")
-            fs::copy(entry.path(), folder / entry.path().filename().string());
+    for (fs::path const& from : {example, functions_example})
+        for (auto const& entry : fs::directory_iterator(from))
+            if (entry.path().extension() == ".yaml" || entry.path().extension() == ".xml")
+                fs::copy(entry.path(), folder / entry.path().filename().string());
+    std::map<std::string, std::string> const binaries{{"pipeline", PIPELINE_BINARY},
+                                                      {"hls_pipeline", HLS_PIPELINE_BINARY}};
     std::vector<Lines> const blocks = blocks_of("console");
-    CHECK(blocks.size() == 8);
+    CHECK(blocks.size() == 11);
     for (Lines const& block : blocks) {
         std::vector<std::string> words = words_of(block.at(0));
         INFO(block.at(0));
-        REQUIRE(words.at(1) == "pipeline");
+        REQUIRE(binaries.count(words.at(1)) == 1);
+        std::string const binary = binaries.at(words.at(1));
         words.erase(words.begin(), words.begin() + 2);
-        CommandResult const result = run_command(PIPELINE_BINARY, words, folder.path());
+        CommandResult const result = run_command(binary, words, folder.path());
         Lines const printed = lines_of(result.out + result.err);
         auto at = printed.begin();
         for (auto line = block.begin() + 1; line != block.end(); ++line) {

@@ -7,8 +7,8 @@
 namespace dataflow {
 
 std::vector<Subcommand> standard_commands() {
-    return {run_command(),        check_command(),   explore_command(), whatif_command(), sensitivities_command(),
-            size_fifos_command(), compare_command(), sweep_command(),   keys_command()};
+    return {run_command(),        check_command(),   explore_command(), whatif_command(),   sensitivities_command(),
+            size_fifos_command(), compare_command(), sweep_command(),   schedule_command(), keys_command()};
 }
 
 }  // namespace dataflow

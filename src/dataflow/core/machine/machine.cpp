@@ -154,7 +154,7 @@ class Maker {
         decide(fifo, written.decided_by.empty() ? read.decided_by : written.decided_by);
         fifo.writer = written.module;
         fifo.reader = read.module;
-        fifo.depth = settings.depth.value_or(FifoSettings::default_depth);
+        fifo.depth = settings.depth.value_or(end.depth);
         fifo.configured_kind = settings.kind.value_or(FifoKind::automatic);
         fifo.write_latency = settings.write_latency.value_or(written.end->write_latency.value_or(0));
         if (read.end->read_stage)
@@ -224,8 +224,9 @@ class Maker {
         Cycles const recurrence = std::max(settings.recurrence_ii.value_or(1), description.recurrence);
         loop.depth = settings.depth.value_or(description.depth) + description.extra_depth;
         loop.is_pipelined = description.is_pipelined;
-        loop.interval = loop.is_pipelined ? timing::schedule(settings.ii.value_or(1), recurrence, demands)
-                                          : timing::schedule(loop.depth, 1, {});
+        loop.interval = loop.is_pipelined
+                            ? timing::schedule(settings.ii.value_or(description.interval), recurrence, demands)
+                            : timing::schedule(loop.depth, 1, {});
         loop.entry_states = settings.entry_states.value_or(description.entry_states);
         loop.exit_states = settings.exit_states.value_or(description.exit_states);
         for (MemoryStages const& stages : description.memory_stages)

@@ -27,6 +27,7 @@ struct FifoEnd {
     Conditions conditions;
     std::string tokens;                   ///< "pixels from the reader to the filter", for the documentation
     unsigned bits = 0;                    ///< of a token, in wires
+    std::uint64_t depth = 2;              ///< default of the FIFO, in tokens: of the writing end
     std::optional<Cycles> write_latency;  ///< default stage of the writing loop in which a token leaves
     std::optional<Cycles> read_stage;     ///< default stage of the reading loop in which a token is taken
     std::string loop;                     ///< the loop whose depth bounds the write latency or read stage; or empty
@@ -39,6 +40,7 @@ struct FifoEnd {
 
     FifoEnd& carries(std::string text) { return tokens = std::move(text), *this; }
     FifoEnd& of_bits(std::uint64_t wires) { return bits = static_cast<unsigned>(wires), *this; }
+    FifoEnd& of_depth(std::uint64_t tokens_deep) { return depth = tokens_deep, *this; }
     FifoEnd& leaves(std::string its_loop, Cycles stage) {
         return loop = std::move(its_loop), write_latency = stage, *this;
     }
@@ -102,6 +104,7 @@ struct LoopDescription {
     Cycles extra_depth = 0;  ///< stages that other keys add
     bool is_pipelined = true;
     Cycles entry_states = 0, exit_states = 0;  ///< default cycles before the first iteration, and behind the last
+    Cycles interval = 1;                       ///< default initiation interval asked for
     Cycles recurrence = 1;                     ///< initiation interval that the design's own dependences demand
     std::vector<MemoryAccess> accesses;
     std::vector<MemoryStages> memory_stages;  ///< of memories whose dependences between iterations are looked after
@@ -121,6 +124,7 @@ struct LoopDescription {
     }
     LoopDescription& enters_in(Cycles states) { return entry_states = states, *this; }
     LoopDescription& leaves_in(Cycles states) { return exit_states = states, *this; }
+    LoopDescription& of_ii(Cycles cycles) { return interval = cycles, *this; }
     LoopDescription& recurs_every(Cycles cycles) { return recurrence = cycles, *this; }
     LoopDescription& accesses_memory(std::string memory, AccessPattern pattern) {
         return accesses.push_back({std::move(memory), std::move(pattern)}), *this;

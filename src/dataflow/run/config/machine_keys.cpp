@@ -134,7 +134,8 @@ void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& n
     keys.push_back(step_key(
         {fifo_key_name(name, "depth"), "tokens",
          fmt::format("Depth of the FIFO: {}.", writing_end(core, name).end.tokens), "HLS default"},
-        {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; }, FifoSettings::default_depth));
+        {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; },
+        writing_end(core, name).end.depth));
     keys.push_back(choice_key(
         {fifo_key_name(name, "kind"), "",
          "How the FIFO is built; auto is a shift register up to depth 2, or as far as fifo_rules says, else a memory.",
@@ -202,7 +203,7 @@ void add_loop_keys(Keys& keys, std::string const& name, LoopDescription const& d
     keys.push_back(step_key(
         {loop_key_name(name, "ii"), "cycles",
          fmt::format("Initiation interval the pragma asks for; the loop {}.", description.task), "HLS pipeline"},
-        cycles_range, loop, [](auto& settings) -> auto& { return settings.ii; }, 1));
+        cycles_range, loop, [](auto& settings) -> auto& { return settings.ii; }, description.interval));
     keys.push_back(step_key(
         {loop_key_name(name, "recurrence_ii"), "cycles",
          "Initiation interval that a dependence between iterations demands.", "HLS dependence"},

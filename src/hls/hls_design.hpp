@@ -1,0 +1,128 @@
+#pragma once
+// Everything that a program for functions over hls::stream includes; docs/tutorial.md writes one.
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <hls_stream.h>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "dataflow/commands/simple_tool.hpp"
+#include "hls/untimed_network.hpp"
+
+namespace dataflow {
+
+/// A design whose processes are functions over hls::stream, as they go through an HLS tool. The derived class has the
+/// streams between them as members and says in its constructor which functions run:
+///
+///     struct Pair : HlsDesign {
+///         hls::stream<int> number{"number"};
+///         int sum = 0;
+///         explicit Pair(Numbers const& numbers) {
+///             auto const n = static_cast<int>(numbers["workload.numbers"]);
+///             process("producer", [=] { producer(number, n); });
+///             process("consumer", [=] { sum = consumer(number, n); });
+///         }
+///         Counters results() const override { return {static_cast<std::uint64_t>(sum)}; }
+///         static SimpleFacts facts();
+///     };
+///
+/// The functions are run without time. What they do in which loops is the design's description, once, with the
+/// defaults of its numbers, and then decides what its modules tell their clocks, call by call. The first process begins
+/// a call, the last one ends it; a call is a sample.
+class HlsDesign {
+  public:
+    HlsDesign(HlsDesign const&) = delete;
+    HlsDesign& operator=(HlsDesign const&) = delete;
+    virtual ~HlsDesign() = default;
+
+    /// What came out of the call that has ended: the counters of facts().
+    virtual Counters results() const { return {}; }
+
+    std::vector<untimed::ProcessCall> const& processes() const { return processes_; }
+    std::vector<untimed::StreamBase*> const& streams() const { return streams_; }
+    void set_call(std::uint64_t number) { call_ = number; }
+    /// Streams without a name get one, and all are made fit for keys. Once it is constructed.
+    void complete();
+
+  protected:
+    HlsDesign() { untimed::streams_of_design = &streams_; }
+    void process(std::string name, std::function<void()> function) {
+        processes_.push_back({std::move(name), std::move(function)});
+    }
+    /// The number of the call at hand, from 0 on.
+    std::uint64_t call() const { return call_; }
+
+  private:
+    std::vector<untimed::ProcessCall> processes_;
+    std::vector<untimed::StreamBase*> streams_;
+    std::uint64_t call_ = 0;
+};
+
+using MakeHlsDesign = std::function<std::unique_ptr<HlsDesign>(Numbers const& numbers)>;
+
+template <class Design> std::unique_ptr<HlsDesign> make_hls_design(Numbers const& numbers) {
+    auto design = std::make_unique<Design>(numbers);
+    design->complete();
+    return design;
+}
+
+/// What the functions of a design do with the defaults of its numbers, as its description.
+CoreDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make);
+
+/// What one process does in one call.
+struct HlsScript {
+    untimed::Events events;
+    std::vector<std::vector<std::int64_t>> written;  ///< tokens, by stream
+};
+
+/// A core: the FIFOs of the design's streams, and a module for each of its functions.
+class HlsCore : public SimpleCore {
+  public:
+    HlsCore(SimpleCoreParts const& parts, MakeHlsDesign const& make);
+    ~HlsCore() override;
+
+    HlsDesign const& design() const { return *design_; }
+    untimed::LoopRecorder const& recorder(std::size_t process) const { return network_.recorder(process); }
+    ClockedFifo<std::int64_t>& stream_fifo(std::size_t stream) const { return *fifos_[stream]; }
+    /// What a process does in its next call. All functions run for the first that asks.
+    HlsScript next_script(std::size_t process);
+    /// The results of the calls, in their order.
+    Counters next_results();
+
+  private:
+    void run_call();
+
+    std::unique_ptr<HlsDesign> design_;
+    untimed::UntimedNetwork network_;
+    std::vector<std::unique_ptr<ClockedFifo<std::int64_t>>> fifos_;  // by stream
+    std::vector<std::deque<HlsScript>> scripts_;                     // by process
+    std::deque<Counters> results_;
+    std::uint64_t next_call_ = 0;
+};
+
+template <class Design> class HlsCoreOf final : public HlsCore {
+  public:
+    static CoreDescription describe(Numbers const& /*numbers*/) {
+        static CoreDescription const one = describe_hls_design(Design::facts(), make_hls_design<Design>);
+        return one;
+    }
+    explicit HlsCoreOf(SimpleCoreParts const& parts) : HlsCore(parts, make_hls_design<Design>) {}
+};
+
+}  // namespace dataflow
+
+/// The rest of a program for one design: its commands. Outside namespaces, once.
+#define FASTER_HLS_PROGRAM(DesignClass, description)                                                                  \
+    static ::dataflow::SimpleSimulation<::dataflow::HlsCoreOf<DesignClass>> const& faster_hls_program() {             \
+        static ::dataflow::SimpleSimulation<::dataflow::HlsCoreOf<DesignClass>> const one(DesignClass::facts());      \
+        return one;                                                                                                   \
+    }                                                                                                                 \
+    ::dataflow::Design const& dataflow::design() { return faster_hls_program(); }                                     \
+    ::dataflow::SimulatedDesign const& dataflow::simulated_design() { return faster_hls_program(); }                  \
+    int sc_main(int argc, char** argv) {                                                                              \
+        return ::dataflow::run_tool({DesignClass::facts().name, description, "1.0"}, ::dataflow::standard_commands(), \
+                                    argc, argv);                                                                      \
+    }

@@ -1,0 +1,97 @@
+#pragma once
+// hls::stream by the names of Vivado HLS and Vitis HLS, for functions that are written for these tools. Untimed it is a
+// queue without end, as in C simulation; as a member of an HlsDesign it is a FIFO whose accesses get cycles.
+#define FASTER_HLS_STREAM 1
+#include <cstddef>
+#include <deque>
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "observer.hpp"
+#include "token_traits.hpp"
+
+namespace hls {
+
+template <class Token, int depth_of_fifo = 0> class stream;  // NOLINT(readability-identifier-naming): as the tool has it
+
+template <class Token> class stream<Token, 0> : public dataflow::untimed::StreamBase {
+    using Traits = dataflow::untimed::TokenTraits<Token>;
+
+  public:
+    using value_type = Token;
+
+    explicit stream(std::string name = {}) : StreamBase(std::move(name)) {}
+
+    /// From an empty stream that no design has: a warning, and a token of zeros, as in C simulation.
+    Token read() {
+        if (auto* const watching = watcher())
+            watching->reads(*this);
+        if (tokens_.empty()) {
+            std::cerr << "WARNING: hls::stream '" << name() << "' is read while empty\n";
+            return Token();
+        }
+        Token token = std::move(tokens_.front());
+        tokens_.pop_front();
+        return token;
+    }
+    void read(Token& token) { token = read(); }
+    void write(Token const& token) {
+        tokens_.push_back(token);
+        if (auto* const watching = watcher())
+            watching->wrote(*this);
+    }
+    stream& operator>>(Token& token) {
+        read(token);
+        return *this;
+    }
+    stream& operator<<(Token const& token) {
+        write(token);
+        return *this;
+    }
+
+    bool read_nb(Token& token) {
+        ask("read_nb");
+        if (tokens_.empty())
+            return false;
+        read(token);
+        return true;
+    }
+    bool write_nb(Token const& token) {
+        ask("write_nb");
+        write(token);
+        return true;
+    }
+    bool empty() const {
+        ask("empty");
+        return tokens_.empty();
+    }
+    bool full() const {
+        ask("full");
+        return false;
+    }
+    std::size_t size() const {
+        ask("size");
+        return tokens_.size();
+    }
+
+    bool has_token() const override { return !tokens_.empty(); }
+    unsigned bits() const override { return Traits::bits(); }
+    bool is_signed() const override { return Traits::is_signed(); }
+    std::int64_t shown_last() const override { return Traits::shown(tokens_.back()); }
+
+  private:
+    void ask(char const* call) const {
+        if (auto* const watching = watcher())
+            watching->asks(*this, call);
+    }
+
+    std::deque<Token> tokens_;
+};
+
+template <class Token, int depth_of_fifo> class stream : public stream<Token, 0> {
+  public:
+    explicit stream(std::string name = {}) : stream<Token, 0>(std::move(name)) { this->set_depth(depth_of_fifo); }
+};
+
+}  // namespace hls

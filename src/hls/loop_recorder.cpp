@@ -1,0 +1,87 @@
+#include "hls/loop_recorder.hpp"
+
+#include <cstring>
+
+#include "dataflow/base/input_error.hpp"
+
+namespace dataflow::untimed {
+
+std::size_t LoopRecorder::number_of(LoopMark const& loop) {
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+        if (std::strcmp(loops_[i].name, loop.name) != 0)
+            continue;
+        if (loops_[i].ii != loop.ii || loops_[i].depth != loop.depth || loops_[i].is_pipelined != loop.is_pipelined)
+            throw InputError("process " + process_ + " has two loops of the name " + loop.name +
+                             " that differ, expected another name for one of them");
+        return i;
+    }
+    loops_.push_back(loop);
+    return loops_.size() - 1;
+}
+
+std::size_t LoopRecorder::group_of(Accesses const& accesses) {
+    auto const [at, is_new] = group_numbers_.try_emplace(accesses, groups_.size());
+    if (is_new)
+        groups_.push_back(accesses);
+    return at->second;
+}
+
+void LoopRecorder::leave() {
+    if (is_in_loop_)
+        events_.push_back({Event::What::leave});
+    is_in_loop_ = false;
+}
+
+void LoopRecorder::access(Access access) {
+    if (!open_.empty() && !open_.back().is_around) {
+        open_.back().accesses.push_back(access);
+        return;
+    }
+    leave();
+    events_.push_back({Event::What::access, group_of({access})});
+}
+
+void LoopRecorder::put_around(Open& outer) {
+    if (outer.is_around)
+        return;
+    LoopMark const& loop = loops_[outer.loop];
+    if (loop.is_pipelined)
+        throw InputError("process " + process_ + " has a marked loop in its pipelined loop " + loop.name +
+                         ", which a tool would unroll, expected a mark of one of the two only");
+    outer.is_around = true;
+    for (Access const& one : std::exchange(outer.accesses, {}))
+        access(one);
+}
+
+void LoopRecorder::begin(LoopMark const& loop) {
+    if (!open_.empty())
+        put_around(open_.back());
+    open_.push_back({number_of(loop), {}});
+}
+
+void LoopRecorder::end() {
+    Open const ended = std::move(open_.back());
+    open_.pop_back();
+    if (ended.is_around) {
+        leave();
+        return;
+    }
+    if (is_in_loop_ && loop_ != ended.loop)
+        leave();
+    if (!is_in_loop_)
+        events_.push_back({Event::What::enter, ended.loop});
+    is_in_loop_ = true;
+    loop_ = ended.loop;
+    std::size_t const group = group_of(ended.accesses);
+    if (events_.back().what == Event::What::iterate && events_.back().number == group)
+        ++events_.back().count;
+    else
+        events_.push_back({Event::What::iterate, group});
+}
+
+Events LoopRecorder::take() {
+    leave();
+    return std::exchange(events_, {});
+}
+
+}  // namespace dataflow::untimed

@@ -1,0 +1,75 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hls/observer.hpp"
+
+namespace dataflow::untimed {
+
+struct Access {
+    std::size_t stream = 0;
+    bool writes = false;
+
+    friend bool operator<(Access const& a, Access const& b) {
+        return a.stream != b.stream ? a.stream < b.stream : a.writes < b.writes;
+    }
+    friend bool operator==(Access const& a, Access const& b) { return a.stream == b.stream && a.writes == b.writes; }
+};
+using Accesses = std::vector<Access>;
+
+/// Something that a function has done, in program order.
+struct Event {
+    enum class What {
+        enter,    ///< loop `number` begins
+        iterate,  ///< `count` iterations of it, each of which makes the accesses of group `number`
+        leave,
+        access  ///< outside loops: the one of group `number`
+    };
+    What what;
+    std::size_t number = 0;
+    std::uint64_t count = 1;
+};
+using Events = std::vector<Event>;
+
+/// Turns what a function does into events. A loop goes on until its function does something else: loops around it that
+/// have no mark and do nothing of their own are one with it, as tools flatten them. A marked loop around other marked
+/// ones only says where those end; what it accesses itself is outside loops.
+///   errors  InputError for a pipelined loop around a marked one, and for two loops of one name that differ
+class LoopRecorder {
+  public:
+    explicit LoopRecorder(std::string process) : process_(std::move(process)) {}
+
+    void access(Access access);
+    void begin(LoopMark const& loop);
+    void end();
+    /// All that has happened since the last call. The function has returned, or is stuck.
+    Events take();
+
+    std::vector<LoopMark> const& loops() const { return loops_; }
+    std::vector<Accesses> const& groups() const { return groups_; }
+
+  private:
+    struct Open {
+        std::size_t loop;
+        Accesses accesses;  ///< of the iteration at hand
+        bool is_around = false;
+    };
+    std::size_t number_of(LoopMark const& loop);
+    std::size_t group_of(Accesses const& accesses);
+    void leave();
+    void put_around(Open& outer);
+
+    std::string process_;
+    std::vector<LoopMark> loops_;
+    std::vector<Accesses> groups_;
+    std::map<Accesses, std::size_t> group_numbers_;
+    std::vector<Open> open_;
+    bool is_in_loop_ = false;
+    std::size_t loop_ = 0;  // that it is in
+    Events events_;
+};
+
+}  // namespace dataflow::untimed

@@ -1,0 +1,54 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace dataflow::untimed {
+
+/// How wide a token is, and the number that waveforms show of it: of numbers their value, of anything else its first
+/// eight bytes. A struct is as wide as its memory; who wants its wires counted specializes this for it.
+template <class Token> struct TokenTraits {
+    static unsigned bits() {
+        if constexpr (std::is_same_v<Token, bool>)
+            return 1;
+        else if constexpr (std::is_integral_v<Token> || std::is_enum_v<Token>)
+            return 8 * sizeof(Token);
+        else if constexpr (decltype(has_word_length<Token>(0))::value)
+            return static_cast<unsigned>(Token().wl());
+        else if constexpr (decltype(has_length<Token>(0))::value)
+            return static_cast<unsigned>(Token().length());
+        else
+            return 8 * sizeof(Token);
+    }
+    static bool is_signed() {
+        if constexpr (std::is_integral_v<Token>)
+            return std::is_signed_v<Token>;
+        else if constexpr (decltype(has_int64<Token>(0))::value && std::is_constructible_v<Token, int>)
+            return Token(-1) < Token(0);
+        else
+            return false;
+    }
+    static std::int64_t shown(Token const& token) {
+        if constexpr (std::is_integral_v<Token> || std::is_enum_v<Token>) {
+            return static_cast<std::int64_t>(token);
+        } else if constexpr (decltype(has_int64<Token>(0))::value) {
+            return static_cast<std::int64_t>(token.to_int64());
+        } else {
+            std::int64_t value = 0;
+            if constexpr (std::is_trivially_copyable_v<Token>)
+                std::memcpy(&value, &token, std::min(sizeof value, sizeof token));
+            return value;
+        }
+    }
+
+  private:
+    template <class Any> static auto has_word_length(int) -> std::bool_constant<(sizeof(Any().wl()) > 0)>;
+    template <class Any> static std::false_type has_word_length(...);
+    template <class Any> static auto has_length(int) -> std::bool_constant<(sizeof(Any().length()) > 0)>;
+    template <class Any> static std::false_type has_length(...);
+    template <class Any> static auto has_int64(int) -> std::bool_constant<(sizeof(Any().to_int64()) > 0)>;
+    template <class Any> static std::false_type has_int64(...);
+};
+
+}  // namespace dataflow::untimed

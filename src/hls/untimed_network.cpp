@@ -1,0 +1,153 @@
+#include "hls/untimed_network.hpp"
+
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "dataflow/base/input_error.hpp"
+
+namespace dataflow::untimed {
+
+namespace {
+/// Leaves a function that nobody can help any more.
+struct GivenUp {};
+}  // namespace
+
+/// Whose turn it is: that of a function, each of which has a thread, or that of the network.
+class UntimedNetwork::Baton {
+  public:
+    void give(std::size_t process) {
+        std::unique_lock lock(mutex_);
+        turn_ = process;
+        changed_.notify_all();
+        changed_.wait(lock, [this] { return turn_ == of_network; });
+    }
+    void await(std::size_t process) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this, process] { return turn_ == process; });
+    }
+    void give_back() {
+        std::lock_guard const lock(mutex_);
+        turn_ = of_network;
+        changed_.notify_all();
+    }
+
+  private:
+    static constexpr std::size_t of_network = ~std::size_t{0};
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::size_t turn_ = of_network;
+};
+
+/// One function while it runs.
+class UntimedNetwork::Watcher final : public Observer {
+  public:
+    Watcher(UntimedNetwork& network, Baton& baton, std::size_t process)
+        : network_(network), baton_(baton), process_(process), thread_([this] { run(); }) {}
+    ~Watcher() override { thread_.join(); }
+    Watcher(Watcher const&) = delete;
+    Watcher& operator=(Watcher const&) = delete;
+
+    bool can_go_on() const { return !is_done_ && (awaited_ == nullptr || awaited_->has_token()); }
+    bool is_done() const { return is_done_; }
+    void give_up() { is_given_up_ = true; }
+    std::exception_ptr const& error() const { return error_; }
+
+    void reads(StreamBase& stream) override {
+        recorder().access({stream.number(), false});
+        while (!stream.has_token() && !is_given_up_) {
+            awaited_ = &stream;
+            baton_.give_back();
+            baton_.await(process_);
+        }
+        awaited_ = nullptr;
+        if (is_given_up_)
+            throw GivenUp();
+    }
+    void wrote(StreamBase& stream) override {
+        recorder().access({stream.number(), true});
+        std::vector<std::vector<std::int64_t>>& written = network_.written_;
+        if (written.size() <= stream.number())
+            written.resize(stream.number() + 1);
+        written[stream.number()].push_back(stream.shown_last());
+    }
+    void asks(StreamBase const& stream, char const* call) override {
+        throw InputError("process " + name() + " asks by " + call + "() what " + stream.name() +
+                         " holds at the moment, which a function without time cannot know, expected read() and " +
+                         "write(), which wait");
+    }
+    void begins_iteration(LoopMark const& loop) override { recorder().begin(loop); }
+    void ends_iteration(LoopMark const& /*loop*/) override { recorder().end(); }
+
+  private:
+    std::string const& name() const { return network_.processes_[process_].name; }
+    LoopRecorder& recorder() const { return *network_.recorders_[process_]; }
+    void run() {
+        baton_.await(process_);
+        observer = this;
+        try {
+            if (!is_given_up_)
+                network_.processes_[process_].call();
+        } catch (GivenUp const&) {  // all that it did is known
+        } catch (...) {
+            error_ = std::current_exception();
+        }
+        observer = nullptr;
+        is_done_ = true;
+        baton_.give_back();
+    }
+
+    UntimedNetwork& network_;
+    Baton& baton_;
+    std::size_t process_;
+    StreamBase const* awaited_ = nullptr;
+    bool is_done_ = false;
+    bool is_given_up_ = false;
+    std::exception_ptr error_;
+    std::thread thread_;  // last: it uses the others
+};
+
+UntimedNetwork::UntimedNetwork(std::vector<ProcessCall> const& processes) : processes_(processes) {
+    for (ProcessCall const& process : processes)
+        recorders_.push_back(std::make_unique<LoopRecorder>(process.name));
+}
+
+UntimedNetwork::~UntimedNetwork() = default;
+
+void UntimedNetwork::run() {
+    written_.assign(written_.size(), {});
+    std::exception_ptr error;
+    {
+        Baton baton;
+        std::vector<std::unique_ptr<Watcher>> watchers;
+        for (std::size_t i = 0; i < processes_.size(); ++i)
+            watchers.push_back(std::make_unique<Watcher>(*this, baton, i));
+        auto const first_error = [&](Watcher const& watcher) {
+            if (!error)
+                error = watcher.error();
+        };
+        for (bool has_moved = true; has_moved && !error;) {
+            has_moved = false;
+            for (std::size_t i = 0; i < watchers.size() && !error; ++i)
+                if (watchers[i]->can_go_on()) {
+                    has_moved = true;
+                    baton.give(i);
+                    first_error(*watchers[i]);
+                }
+        }
+        for (std::size_t i = 0; i < watchers.size(); ++i)
+            if (!watchers[i]->is_done()) {
+                watchers[i]->give_up();
+                baton.give(i);
+            }
+    }
+    if (error)
+        std::rethrow_exception(error);
+    events_.clear();
+    for (auto const& recorder : recorders_)
+        events_.push_back(recorder->take());
+}
+
+}  // namespace dataflow::untimed

@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hls/loop_recorder.hpp"
+#include "hls/observer.hpp"
+
+namespace dataflow::untimed {
+
+/// A function of a design, with its arguments.
+struct ProcessCall {
+    std::string name;
+    std::function<void()> call;
+};
+
+/// Runs the functions of a design without time, as C simulation does, and takes down what they do. One runs at a time,
+/// in their order, each until it returns or finds a stream empty; streams have no end. What a function does does not
+/// depend on that order, as each stream has one writer and one reader and reads wait. So this is what hardware does,
+/// whenever it does it.
+///   errors  InputError for what has no such answer (read_nb, empty, ...), and what the functions throw
+class UntimedNetwork {
+  public:
+    explicit UntimedNetwork(std::vector<ProcessCall> const& processes);
+    ~UntimedNetwork();
+
+    /// Calls each function once. Those that are left waiting for tokens that nobody writes are given up.
+    void run();
+    /// What each has done in the last run, by process.
+    std::vector<Events>& events() { return events_; }
+    LoopRecorder const& recorder(std::size_t process) const { return *recorders_[process]; }
+    /// The tokens that were written to each stream in the last run, as waveforms show them.
+    std::vector<std::vector<std::int64_t>>& written() { return written_; }
+
+  private:
+    class Baton;
+    class Watcher;
+
+    std::vector<ProcessCall> const& processes_;
+    std::vector<std::unique_ptr<LoopRecorder>> recorders_;
+    std::vector<Events> events_;
+    std::vector<std::vector<std::int64_t>> written_;
+};
+
+}  // namespace dataflow::untimed

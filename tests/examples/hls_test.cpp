@@ -1,0 +1,238 @@
+// Functions over hls::stream (examples/hls_*): their cycles against those of the designs by hand, of closed forms and
+// of published ones; and the schedule of a synthesis report.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+#include "support/temp_folder.hpp"
+#include "support/tool_output.hpp"
+
+namespace hls_test {
+
+using namespace faster::test;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+fs::path const examples = fs::path(FASTER_SOURCE_DIR) / "examples";
+fs::path const published = examples / "hls_published";
+fs::path const reports = fs::path(FASTER_SOURCE_DIR) / "tests" / "data" / "schedule";
+
+Words with_settings(Words words, Words const& settings) {
+    for (std::string const& setting : settings)
+        words.insert(words.end(), {"--set", setting});
+    return words;
+}
+
+/// Total cycles of a run, or "deadlock at" and what else it says of one.
+std::string outcome(std::string const& binary, Words const& arguments) {
+    TempFolder const folder;
+    Words all = arguments;
+    all.insert(all.end(), {"--out", "out"});
+    CommandResult const result = run_command(binary, all, folder.path());
+    if (result.exit_code == 3)
+        return result.err.substr(0, result.err.find('\n'));
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return std::to_string(
+               nlohmann::json::parse(content_of(folder / "out/summary.json")).at("total_cycles").get<int>()) +
+           "\n" + content_of(folder / "out/samples.csv");
+}
+std::string cycles(std::string const& binary, fs::path const& configuration, Words const& settings = {}) {
+    std::string const all = outcome(binary, with_settings({"run", configuration.string()}, settings));
+    return all.substr(0, all.find('\n'));
+}
+
+TEST_CASE("Functions over streams take the cycles that are published for their designs", "[examples]") {
+    for (std::string const engine : {"decoupled", "lockstep"}) {
+        std::string const set = "simulation.engine=" + engine;
+        CAPTURE(engine);
+        CHECK(cycles(HLS_CYCLIC_BINARY, published / "cyclic.yaml", {set}) == "4053");
+        CHECK(cycles(HLS_FIFO_PAIR_BINARY, published / "fifo_16.yaml", {set}) == "52");  // latency 51
+        CHECK(cycles(HLS_FIFO_PAIR_BINARY, published / "fifo_16.yaml", {set, "workload.samples=16"}) == "832");
+        CHECK(cycles(HLS_FIFO_PAIR_BINARY, published / "fifo_multiply.yaml", {set}) == "84");
+        CHECK(cycles(HLS_FIFO_PAIR_BINARY, published / "fifo_multiply.yaml",
+                     {set, "workload.samples=16", "accelerator.fifos.word.depth=2"}) == "1344");
+        CHECK(cycles(HLS_DOT_PRODUCT_BINARY, published / "dot_product.yaml", {set}) == "10100");
+    }
+}
+
+TEST_CASE("The same design by functions and by hand takes the same cycles, whatever the keys", "[examples]") {
+    unsigned const seed = 540;
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    auto const one_of = [&random](Words const& values) { return values[random() % values.size()]; };
+    for (int trial = 0; trial < 8; ++trial) {
+        Words const pipeline{"accelerator.loops.scaler.scale.ii=" + one_of({"1", "2", "3"}),
+                             "accelerator.fifos.number.depth=" + one_of({"1", "2", "9"}),
+                             "accelerator.fifos.number.read_stage=" + one_of({"0", "1", "2"}),
+                             "workload.numbers=" + one_of({"1", "40"}), "workload.samples=" + one_of({"1", "3"})};
+        Words const cyclic{"accelerator.loops.controller.exchange.ii=" + one_of({"1", "2", "3"}),
+                           "accelerator.loops.processor.double.ii=" + one_of({"1", "2", "3"}),
+                           "accelerator.fifos.response.read_stage=" + one_of({"1", "2"}),
+                           "accelerator.fifos.request.kind=" + one_of({"auto", "memory"}), "workload.messages=30"};
+        CAPTURE(trial, pipeline, cyclic);
+        fs::path const by_hand = examples / "pipeline" / "pipeline.yaml";
+        std::string const same = outcome(PIPELINE_BINARY, with_settings({"run", by_hand.string()}, pipeline));
+        std::string const circle =
+            outcome(CYCLIC_BINARY, with_settings({"run", (examples / "cyclic" / "cyclic.yaml").string()}, cyclic));
+        for (std::string const engine : {"decoupled", "lockstep"}) {
+            Words const in{"--set", "simulation.engine=" + engine};
+            auto const of = [&](fs::path const& file, Words const& settings) {
+                Words words = with_settings({"run", file.string()}, settings);
+                words.insert(words.end(), in.begin(), in.end());
+                return words;
+            };
+            CHECK(outcome(HLS_PIPELINE_BINARY, of(examples / "hls_pipeline" / "hls_pipeline.yaml", pipeline)) == same);
+            CHECK(outcome(HLS_CYCLIC_BINARY, of(published / "cyclic.yaml", cyclic)) == circle);
+        }
+    }
+}
+
+TEST_CASE("What-if, sizes and waveforms know a design of functions", "[examples]") {
+    TempFolder const folder;
+    fs::path const configuration = examples / "hls_pipeline" / "hls_pipeline.yaml";
+    auto const done = [&](Words const& words) {
+        CommandResult result = run_command(HLS_PIPELINE_BINARY, words, folder.path());
+        require_done(result);
+        return result.out;
+    };
+    done({"run", configuration.string(), "--events", "events", "--vcd", "run.vcd"});
+    CHECK_THAT(done({"whatif", "events", "--set", "accelerator.loops.scaler.scale.ii=1"}), Contains("4,021"));
+    CHECK_THAT(done({"size-fifos", "events", "--within", "0"}), Contains("Proven"));
+    CHECK_THAT(content_of(folder / "run.vcd"), Contains("fifo_number") && Contains("$var wire 32"));
+}
+
+TEST_CASE("C simulation is the functions as plain C++", "[examples]") {
+    TempFolder const folder;
+    CommandResult const result = run_command(HLS_TEST_BENCH_BINARY, {}, folder.path());
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.out, Contains("sum 1498500"));
+    fs::path const configuration = examples / "hls_pipeline" / "hls_pipeline.yaml";
+    CHECK_THAT(outcome(HLS_PIPELINE_BINARY, {"run", configuration.string()}), Contains(",1498500"));
+}
+
+/// All that a design takes besides its functions.
+TEST_CASE("A design of functions takes at most 30 lines", "[examples]") {
+    auto const lines = lines_of(content_of(examples / "hls_pipeline" / "hls_pipeline.cpp"));
+    CHECK(lines.size() <= 30);
+}
+
+TEST_CASE("A deadlock of functions is reported alike in both engines", "[examples]") {
+    Words const settings{"accelerator.fifos.response.read_stage=1", "accelerator.loops.controller.exchange.depth=2"};
+    std::string const first =
+        outcome(HLS_CYCLIC_BINARY, with_settings({"run", (published / "cyclic.yaml").string()}, settings));
+    CHECK_THAT(first, Contains("deadlock"));
+    Words lockstep = settings;
+    lockstep.emplace_back("simulation.engine=lockstep");
+    CHECK(outcome(HLS_CYCLIC_BINARY, with_settings({"run", (published / "cyclic.yaml").string()}, lockstep)) == first);
+}
+
+CommandResult schedule(std::string const& binary, Words const& arguments, TempFolder const& folder) {
+    Words all{"schedule"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run_command(binary, all, folder.path());
+}
+
+TEST_CASE("A schedule takes states and depths from a report, and says what they change", "[examples]") {
+    TempFolder const folder;
+    std::ofstream(folder / "start.yaml") << "accelerator: {fifos: {word: {depth: 2, read_stage: 1}}}\n";
+    CommandResult const result =
+        schedule(HLS_FIFO_PAIR_BINARY,
+                 {(reports / "fifo_pair.xml").string(), "--config", "start.yaml", "--out", "scheduled.yaml"}, folder);
+    require_done(result);
+    CHECK_THAT(result.out, Contains("accelerator.loops.consumer.receive.states        2          5"));
+    CHECK_THAT(result.out, Contains("checker.check of the report: no loop of the design"));
+    CHECK_THAT(result.out, Contains("scheduled  84"));
+    CHECK(cycles(HLS_FIFO_PAIR_BINARY, folder / "scheduled.yaml") == "84");
+    CHECK_THAT(result.out, Contains("        2         16  word"));
+}
+
+TEST_CASE("Reports of a published design schedule it by a map", "[examples]") {
+    TempFolder const folder;
+    Words words;
+    for (std::string const name : {"reader", "multiplier", "tree", "accumulator"})
+        words.push_back((reports / ("vitis_2020_" + name + ".xml")).string());
+    words.insert(words.end(), {"--map", (reports / "dot_product.map.yaml").string(), "--config",
+                               (published / "dot_product.yaml").string()});
+    CommandResult const result = schedule(HLS_DOT_PRODUCT_BINARY, words, folder);
+    require_done(result);
+    CHECK_THAT(result.out, Contains("scheduled  10,100") && Contains("accelerator.loops.tree.add.depth"));
+    CHECK_THAT(result.out, Contains("writer.answer of the design: no loop of the report"));
+}
+
+TEST_CASE("Reports of other versions are read, and what has no counterpart is named", "[examples]") {
+    TempFolder const folder;
+    std::map<std::string, std::string> const expected{
+        {"vivado_2018.xml", "Filter2D.loop_width of the report"},
+        {"vitis_2021.xml", "matrixmul_Pipeline_Row_Col.Row_Col of the report"},
+        {"vitis_2023.xml", "jpegls_encode_hls.VITIS_LOOP_243_4 of the report"}};
+    for (auto const& [file, line] : expected) {
+        CAPTURE(file);
+        CommandResult const result = schedule(HLS_FIFO_PAIR_BINARY, {(reports / file).string()}, folder);
+        require_done(result);
+        CHECK_THAT(result.out, Contains(line) && Contains("# Schedule of HLS"));
+    }
+    std::ofstream(folder / "map.yaml")
+        << "loops: {producer.send: Filter2D.loop_height, consumer.receive: Filter2D.Loop1}\n";
+    CommandResult const result =
+        schedule(HLS_FIFO_PAIR_BINARY, {(reports / "vivado_2018.xml").string(), "--map", "map.yaml"}, folder);
+    require_done(result);
+    CHECK_THAT(result.out, Contains("states: 1929") && Contains("states: 1 "));
+}
+
+TEST_CASE("A broken report, or map, is one line with file, line, what is there and what is expected", "[examples]") {
+    TempFolder const folder;
+    auto const complaint = [&](std::string const& report, std::string const& map) {
+        std::ofstream(folder / "r.xml") << report;
+        std::ofstream(folder / "map.yaml") << map;
+        CommandResult const result = schedule(HLS_FIFO_PAIR_BINARY, {"r.xml", "--map", "map.yaml"}, folder);
+        CHECK(result.exit_code == 2);
+        CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+        return result.err;
+    };
+    std::string const good = content_of(reports / "fifo_pair.xml");
+    auto const with = [&good](std::string const& from, std::string const& to) {
+        std::string text = good;
+        return text.replace(text.find(from), from.size(), to);
+    };
+    CHECK_THAT(complaint("<profile>\n<a></profile>", ""), Contains("r.xml:2: no XML") && Contains("expected"));
+    CHECK_THAT(complaint("<html></html>", ""), Contains("root element html, expected profile"));
+    CHECK_THAT(complaint(with("<IterationLatency>3", "<IterationLatency>three"), ""),
+               Contains("r.xml:14: IterationLatency of send = three, expected a whole number"));
+    CHECK_THAT(complaint("<profile/>", ""), Contains("no loop, expected"));
+    CHECK_THAT(complaint(good, "loops: {producer.sent: a.b}"), Contains("did you mean producer.send?"));
+    CHECK_THAT(complaint(good, "loop: {}"), Contains("section loop, expected loops or fifos"));
+}
+
+/// Whatever bytes there are, the answer is a table or a line.
+TEST_CASE("A damaged report does no harm", "[examples]") {
+    unsigned const seed = 541;
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    TempFolder const folder;
+    for (int trial = 0; trial < 40; ++trial) {
+        std::string text = content_of(reports / (trial % 2 == 0 ? "fifo_pair.xml" : "vitis_2023.xml"));
+        for (int change = 0; change < 3; ++change) {
+            std::size_t const at = random() % text.size();
+            if (random() % 2 == 0)
+                text.erase(at, random() % 40);
+            else
+                text[at] = static_cast<char>(random());
+        }
+        std::ofstream(folder / "r.xml", std::ios::binary) << text;
+        CommandResult const result = schedule(HLS_FIFO_PAIR_BINARY, {"r.xml"}, folder);
+        CAPTURE(trial, text, result.err);
+        CHECK((result.exit_code == 0 || result.exit_code == 2));
+        CHECK_THAT(result.err, !Contains("unexpected"));
+    }
+}
+
+}  // namespace hls_test

@@ -30,7 +30,7 @@ Cycles first_stage(std::vector<Access> const& accesses) {
 LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting(iterations_that_count(loop)) {
     std::vector<Access> const accesses = accesses_of(loop);
     fill = first_stage(accesses);
-    aligned = loop.reads.empty() || loop.writes.empty();
+    aligned = (loop.reads.empty() || loop.writes.empty()) && !loop.makes_attempts;
     std::map<Cycles, LoopPhase> phase_at;
     for (Access const& access : accesses) {
         Cycles const behind = access.stage - fill;
@@ -45,6 +45,14 @@ LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting
     drain = static_cast<std::int64_t>(loop.depth) - static_cast<std::int64_t>(ii + fill);
     while (delay_line_length <= longest_lag)
         delay_line_length *= 2;
+}
+
+std::optional<Cycles> LoopPlan::step_of(unsigned port) const {
+    for (LoopPhase const& phase : phases)
+        for (auto const& [number, lag] : phase.ports)
+            if (number == port)
+                return lag * ii + phase.offset;
+    return std::nullopt;
 }
 
 ProcessShape ProcessShape::fed(unsigned stream_port) const {

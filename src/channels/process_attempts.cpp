@@ -66,17 +66,25 @@ void ProcessClock::tell_ports() {
 /// Behind all accesses of a step in the window at hand.
 void ProcessClock::reach_step(std::uint64_t step) {
     tell_ports();
-    timing_.log().reach_step(static_cast<std::uint32_t>(step - reached_));
+    timing_.log().reach_step(static_cast<std::uint32_t>(2 * (step - reached_)));
+    follow();
+}
+
+/// In front of them.
+void ProcessClock::come_to_step(std::uint64_t step) {
+    tell_ports();
+    timing_.log().reach_step(static_cast<std::uint32_t>(2 * (step - reached_) + 1));
     follow();
 }
 
 void ProcessClock::tell_behind_attempt(timing::Ports port) {
     std::uint64_t const step = reached_ + step_of(port.first());
     if (step < *last_attempt_)
-        throw InputError("module " + timing_.name() + (timing_.writes(port.first()) ? " writes " : " reads ") +
-                         fifos_[port.first()]->timing().name() +
-                         " behind an access that does not wait and that is in a later stage, expected accesses in the " +
-                         "order of their stages");
+        throw InputError(
+            "module " + timing_.name() + (timing_.writes(port.first()) ? " writes " : " reads ") +
+            fifos_[port.first()]->timing().name() +
+            " behind an access that does not wait and that is in a later stage, expected accesses in the " +
+            "order of their stages");
     if (step == *last_attempt_)
         tell_ports();
 }
@@ -136,7 +144,8 @@ void ProcessClock::attempt_later(FifoChannel const& fifo, timing::Ports port,
     require_once(port);
     attempted_ = attempted_ | port;
     std::uint64_t const step = reached_ + step_of(port.first());
-    put_off(step, [step, attempt = std::move(attempt)] { attempt(step); }, true);
+    put_off(
+        step, [step, attempt = std::move(attempt)] { attempt(step); }, true);
 }
 
 /// Of an iteration whose step lies in the window at hand.

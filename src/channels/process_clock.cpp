@@ -144,8 +144,8 @@ void ProcessClock::begin_pipeline(unsigned loop, SourceSite site) {
     pipelined_ = loop;
     is_pipelining_ = true;
     makes_attempts_ = timing_.loops()[loop].makes_attempts;
-    is_held_ = makes_attempts_ || std::any_of(reads.begin(), reads.end(),
-                                              [](timing::LoopRead const& read) { return read.stage > 0; });
+    is_held_ = makes_attempts_ ||
+               std::any_of(reads.begin(), reads.end(), [](timing::LoopRead const& read) { return read.stage > 0; });
     has_begun_ = false;
     reached_ = 0;
 }
@@ -172,7 +172,7 @@ void ProcessClock::take_before(std::uint64_t step) {
         takings_.pop_front();
         if (makes_attempts_) {
             if (!taking.is_attempt && taking.step > reached_)
-                reach_step(taking.step - 1);
+                come_to_step(taking.step);
         } else {
             reached_ = std::max(reached_, taking.step);
             follow();

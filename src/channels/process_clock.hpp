@@ -150,7 +150,8 @@ class ProcessClock {
         end_pipeline();
     }
     /// Of a loop whose trip count depends on what it does: as many iterations as `body` asks for, by returning true.
-    template <class Body> void pipeline_while(std::string_view loop_name, Body body, SourceSite site = SourceSite::here()) {
+    template <class Body>
+    void pipeline_while(std::string_view loop_name, Body body, SourceSite site = SourceSite::here()) {
         begin_pipeline(loop(loop_name), site);
         bool goes_on = true;
         for (std::uint64_t i = 0; goes_on; ++i) {
@@ -183,8 +184,8 @@ class ProcessClock {
         pipeline(loop_name, count, whole_body, site);
     }
 
-    // Non-blocking accesses (ClockedFifo): in the body of pipeline(), if their step is before the next iteration's first
-    // access; outside loops, at the local time. Any other of an iteration is made by try_read_later() and
+    // Non-blocking accesses (ClockedFifo): in the body of pipeline(), if their step is before the next iteration's
+    // first access; outside loops, at the local time. Any other of an iteration is made by try_read_later() and
     // try_write_later(): when the iteration has got to the stage, `use` is called with the token, or null, or with
     // whether the token was written.
 
@@ -301,6 +302,7 @@ class ProcessClock {
     void tell_ports();
     void tell_behind_attempt(timing::Ports port);
     void reach_step(std::uint64_t step);
+    void come_to_step(std::uint64_t step);
     void require_attempts(FifoChannel const& fifo, timing::Ports port) const;
     static timing::Ports write_port_of(FifoChannel const& fifo);
     void end_pipeline();

@@ -26,7 +26,7 @@ constexpr std::size_t by_steps = ~std::size_t{0};
 
 class Maker {
   public:
-    explicit Maker(std::uint64_t seed) : dice_(seed) {}
+    explicit Maker(std::uint64_t seed) : dice_(seed), dice_for_attempts_(~seed) {}
 
     Design make() {
         add_processes();
@@ -35,6 +35,7 @@ class Maker {
             add_loops(process);
         for (std::uint64_t phase = dice_.between(1, 3); phase > 0; --phase)
             add_phase();
+        add_rests();
         design_.cores = dice_.one_in(4) ? 2 : 1;
         design_.samples = dice_.between(1, 3);
         return design_;
@@ -47,6 +48,7 @@ class Maker {
             Process process;
             process.name = "p" + std::to_string(i);
             process.takes_early = dice_.one_in(2);
+            process.tries_early = dice_for_attempts_.one_in(2);
             process.memory_ports = dice_.between(1, 3);
             process.program.push_back(wait(dice_.one_in(2) ? 1 : dice_.below(6)));
             design_.processes.push_back(process);
@@ -57,6 +59,7 @@ class Maker {
         std::size_t const processes = design_.processes.size();
         std::uint64_t const count = processes == 1 ? 0 : dice_.between(processes - 1, processes + 2);
         bool const may_be_cyclic = dice_.one_in(3);
+        bool const have_attempts = dice_for_attempts_.one_in(3);
         for (std::size_t f = 0; f < count; ++f) {
             Fifo fifo;
             fifo.writer = dice_.below(processes);
@@ -67,6 +70,10 @@ class Maker {
             fifo.write_stage = dice_.one_in(2) ? 0 : dice_.below(7);
             fifo.read_stage = dice_.one_in(2) ? 0 : dice_.below(5);
             set_room(fifo, dice_);
+            if (have_attempts && dice_for_attempts_.one_in(2)) {
+                fifo.writer_tries = dice_for_attempts_.one_in(2);
+                fifo.reader_tries = fifo.writer_tries ? !dice_for_attempts_.one_in(5) : dice_for_attempts_.one_in(2);
+            }
             design_.fifos.push_back(fifo);
         }
         // As a core lists them: by their writers.
@@ -123,6 +130,20 @@ class Maker {
                     add_step(process, step);
             if (dice_.one_in(2))
                 process.program.push_back(wait(dice_.below(5)));
+        }
+    }
+
+    /// What was written, and not found.
+    void add_rests() {
+        for (std::size_t f = 0; f < design_.fifos.size(); ++f) {
+            Fifo const& fifo = design_.fifos[f];
+            if (!fifo.reader_tries || fifo.writer_tries)
+                continue;
+            Segment rest;
+            rest.kind = Segment::Kind::rest;
+            rest.step = {f};
+            design_.processes[fifo.reader].program.push_back(rest);
+            design_.processes[fifo.reader].program.push_back(wait(1));
         }
     }
 
@@ -186,6 +207,7 @@ class Maker {
 
   private:
     Dice dice_;
+    Dice dice_for_attempts_;
     Design design_;
 };
 
@@ -194,11 +216,15 @@ ModuleDescription module_of(Design const& design, std::size_t number) {
     ModuleDescription module(process.name);
     for (std::size_t const f : process.ends) {
         Fifo const& fifo = design.fifos[f];
-        if (design.writes(number, f))
-            module.writes_to(fifo.name).carries("numbers").of_bits(fifo.bits).leaves(process.loops.front().name,
-                                                                                     fifo.write_stage);
+        FifoEnd& end = design.writes(number, f) ? module.writes_to(fifo.name) : module.reads_from(fifo.name);
+        if (design.tries(number, f))
+            end.non_blocking();
+        if (!end.writes)
+            end.taken(process.loops.front().name, fifo.read_stage);
         else
-            module.reads_from(fifo.name).taken(process.loops.front().name, fifo.read_stage);
+            end.carries("numbers").of_bits(fifo.bits).leaves(process.loops.front().name, fifo.write_stage);
+        if (fifo.writer_tries)
+            end.keeps_tokens();
     }
     std::string const memory = "memory_of_" + process.name;
     bool uses_memory = false;
@@ -266,6 +292,17 @@ MachineSettings settings_of(Design const& design) {
     return settings;
 }
 
+std::uint64_t accesses_of(Design const& design, std::size_t process, std::size_t fifo) {
+    std::int64_t count = 0;
+    for (Segment const& segment : design.processes[process].program) {
+        if (segment.kind == Segment::Kind::step)
+            count += std::count(segment.step.begin(), segment.step.end(), fifo);
+        for (Accesses const& iteration : segment.iterations)
+            count += std::count(iteration.begin(), iteration.end(), fifo);
+    }
+    return static_cast<std::uint64_t>(count);
+}
+
 std::string text_of(Design const& design) {
     std::string text = std::to_string(design.cores) + " cores, " + std::to_string(design.samples) + " samples, rules " +
                        std::to_string(static_cast<int>(design.rules)) + "\n";
@@ -273,7 +310,8 @@ std::string text_of(Design const& design) {
         text += fifo.name + ": " + design.processes[fifo.writer].name + " (stage " + std::to_string(fifo.write_stage) +
                 ") to " + design.processes[fifo.reader].name + " (stage " + std::to_string(fifo.read_stage) +
                 "), depth " + std::to_string(fifo.depth) + " kind " + std::to_string(static_cast<int>(fifo.kind)) +
-                " of " + std::to_string(fifo.bits) + " bits\n";
+                " of " + std::to_string(fifo.bits) + " bits" + (fifo.writer_tries ? ", writer tries" : "") +
+                (fifo.reader_tries ? ", reader tries" : "") + "\n";
     auto const list = [&](Accesses const& accesses) {
         std::string names;
         for (std::size_t const fifo : accesses)
@@ -281,14 +319,16 @@ std::string text_of(Design const& design) {
         return names;
     };
     for (Process const& process : design.processes) {
-        text += process.name + (process.takes_early ? " (takes early):" : ":") + list(process.ends) + "\n";
+        text += process.name + (process.takes_early ? " (takes early)" : "") +
+                (process.tries_early ? " (tries early):" : ":") + list(process.ends) + "\n";
         for (Loop const& loop : process.loops)
             text += "  " + loop.name + ": II " + std::to_string(loop.ii) + ", recurrence " +
                     std::to_string(loop.recurrence) + ", depth " + std::to_string(loop.depth) + ", memory " +
                     std::to_string(loop.reads) + " + " + std::to_string(loop.writes) + " on " +
                     std::to_string(process.memory_ports) + "\n";
         for (Segment const& segment : process.program)
-            text += segment.kind == Segment::Kind::wait ? "  wait " + std::to_string(segment.cycles) + "\n"
+            text += segment.kind == Segment::Kind::wait   ? "  wait " + std::to_string(segment.cycles) + "\n"
+                    : segment.kind == Segment::Kind::rest ? "  rest" + list(segment.step) + "\n"
                     : segment.kind == Segment::Kind::step
                         ? "  step" + list(segment.step) + "\n"
                         : "  run loop" + std::to_string(segment.loop) + " " +

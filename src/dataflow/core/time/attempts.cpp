@@ -12,8 +12,17 @@ bool ProcessTiming::choose(Operation const& operation) {
     switch (operation.gap()) {
         case Operation::ports_of_window:
             return add_ports(operation.ports());
-        case Operation::step_to_reach:
-            return reach_step(operation.count());
+        case Operation::step_to_reach: {
+            Cycles const step = operation.count() / 2;
+            bool const stops_before = operation.count() % 2 != 0 && step > 0;
+            if (!reach_step(stops_before ? step - 1 : step))
+                return false;
+            if (stops_before && state_.pipeline.offset < step) {
+                pass(step - state_.pipeline.offset);
+                state_.pipeline.offset = step;
+            }
+            return true;
+        }
         case Operation::end_of_window:
             return end_window();
         default:

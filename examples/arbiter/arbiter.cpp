@@ -34,9 +34,8 @@ class Producer : public SimpleModule {
   private:
     void work(std::size_t /*sample*/) override {
         clock_.advance(1);
-        clock_.pipeline("produce", number("workload.messages"), [&](std::uint64_t i) {
-            message_out.write(message_of(sender_, i));
-        });
+        clock_.pipeline("produce", number("workload.messages"),
+                        [&](std::uint64_t i) { message_out.write(message_of(sender_, i)); });
     }
 
     std::uint32_t sender_;

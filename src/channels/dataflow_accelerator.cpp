@@ -10,9 +10,7 @@ namespace dataflow {
 
 DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine,
                                          std::size_t samples, Engine engine, MakeCore const& make_core)
-    : sc_module(name),
-      machine_(std::move(machine)),
-      engine_(makes_attempts(*machine_) ? Engine::lockstep : engine) {
+    : sc_module(name), machine_(std::move(machine)), engine_(makes_attempts(*machine_) ? Engine::lockstep : engine) {
     TimeBase const time_base{engine_, machine_->clock_mhz};
     for (std::size_t core = 0; core < machine_->cores; ++core) {
         std::string const core_name = "core_" + std::to_string(core);

@@ -210,7 +210,7 @@ class ProcessClock {
     }
     /// Whether an access finds a token, or room, in the cycle of its step. Then it takes place.
     bool attempts(FifoChannel const& fifo, timing::Ports port) { return attempts(fifo, port, false); }
-    /// The same question, and no access.
+    /// Whether one would; no access takes place.
     bool asks(FifoChannel const& fifo, timing::Ports port) { return attempts(fifo, port, true); }
 
     bool uses_memory() const { return timing_.stream() != nullptr; }

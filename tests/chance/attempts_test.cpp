@@ -92,9 +92,8 @@ Pair dropping_pair() {
     pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
         unsigned dropped = 0;
         clock.advance(1);
-        clock.pipeline("offer", numbers, [&](std::uint64_t i) {
-            dropped += fifo.write_nb(static_cast<Token>(3 * (i + 1))) ? 0U : 1U;
-        });
+        clock.pipeline("offer", numbers,
+                       [&](std::uint64_t i) { dropped += fifo.write_nb(static_cast<Token>(3 * (i + 1))) ? 0U : 1U; });
         clock.advance(1);
         fifo.write(0);
         notes() += " dropped " + std::to_string(dropped);

@@ -81,7 +81,8 @@ inline std::string outcome_of(Pair const& pair, Engine engine, MachineSettings c
                               MachineSettings const* retimed_with = nullptr) {
     return testing::forked_bytes([&]() -> std::string {
         try {
-            auto const machine = std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), settings));
+            auto const machine =
+                std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), settings));
             DataflowAccelerator accelerator("accelerator", machine, 1, engine,
                                             [&](char const* name, std::shared_ptr<Machine const> const& of,
                                                 CoreShare share, TimeBase const& time_base) {

@@ -51,8 +51,8 @@ struct FifoEnd {
     }
     /// Tokens may be left in the FIFO at the end of a run, which warns of them; otherwise they are an error.
     FifoEnd& keeps_tokens() { return may_keep_tokens = true, *this; }
-    /// Accessed by read_nb() or write_nb(), or asked by empty() or full(), besides read() and write(). A loop that does so
-    /// names all FIFOs that it accesses, by leaves(), taken(), writes_to() or also_reads().
+    /// Accessed by read_nb() or write_nb(), or asked by empty() or full(), besides read() and write(). A loop that does
+    /// so names all FIFOs that it accesses, by leaves(), taken(), writes_to() or also_reads().
     FifoEnd& non_blocking() { return makes_attempts = true, *this; }
     FifoEnd& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
 };

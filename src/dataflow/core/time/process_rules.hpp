@@ -92,8 +92,8 @@ template <class Process, class Port> class ProcessRules {
     LoopPlan const& plan() const { return *plan_; }
     /// The accesses of the step that a process has stopped in front of which goes step by step.
     Ports step_at_hand() const {
-        bool const is_in_pipeline = state_.in_loop && !plan_->aligned && state_.pipeline.open &&
-                                    state_.pipeline.phase < plan_->phases.size();
+        bool const is_in_pipeline =
+            state_.in_loop && !plan_->aligned && state_.pipeline.open && state_.pipeline.phase < plan_->phases.size();
         return is_in_pipeline ? ports_in(plan_->phases[state_.pipeline.phase]) : Ports(log_.front().ports());
     }
     /// No access to come is before this cycle: the local time, less what the process goes back when it leaves a loop

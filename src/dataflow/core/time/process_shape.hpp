@@ -34,7 +34,7 @@ struct LoopShape {
     /// writes. 1: nobody waits. Empty: for none; otherwise iterations read FIFOs in their first step, and write none.
     std::vector<Cycles> interlock_spans;
     bool makes_attempts = false;  ///< its iterations may access some of those ports without waiting
-    bool uses_memory = false;  ///< each iteration takes a token of the process's memory stream, in its first step
+    bool uses_memory = false;     ///< each iteration takes a token of the process's memory stream, in its first step
 };
 
 /// What leaving a loop adds to its counters.

@@ -77,8 +77,8 @@ bool OperationCheck::accepts_choice(Operation const& operation) const {
     if (operation.tail_ports() != 0 || (state_.in_loop && !makes_attempts()))
         return false;
     if (operation.gap() == Operation::attempt)
-        return operation.ports() != 0 && timing::Ports::of(timing::Ports(operation.ports()).first()).number() ==
-                                             operation.ports();
+        return operation.ports() != 0 &&
+               timing::Ports::of(timing::Ports(operation.ports()).first()).number() == operation.ports();
     return state_.in_loop && (operation.ports() == 0 || operation.gap() == Operation::ports_of_window);
 }
 

@@ -13,10 +13,11 @@ void require_same(timing::ProcessTiming const& process, bool is_over) {
     auto const deviation = process.deviation(is_over);
     if (!deviation)
         return;
-    throw InputError(fmt::format("module {} {} {} without waiting in cycle {}, and what it finds there might not be what "
-                                 "it found in the recorded run, expected changes that keep that; use {} run for others",
-                                 process.name(), process.writes(deviation->port) ? "writes" : "reads",
-                                 process.fifo(deviation->port).name(), deviation->cycle, program_name()));
+    throw InputError(
+        fmt::format("module {} {} {} without waiting in cycle {}, and what it finds there might not be what "
+                    "it found in the recorded run, expected changes that keep that; use {} run for others",
+                    process.name(), process.writes(deviation->port) ? "writes" : "reads",
+                    process.fifo(deviation->port).name(), deviation->cycle, program_name()));
 }
 
 }  // namespace

@@ -15,7 +15,9 @@ namespace dataflow {
 ///   time    kept by timing::FifoTiming; the tokens themselves may be in the host's hands earlier (decoupled)
 ///   width   a token may be several values side by side, its lanes; such tokens move in bursts only
 ///   fields  how many of a token's fields there are as wires, for recordings; the last may not be
-///   errors  InputError for a non-blocking access, and for SystemC's events of FIFOs: there are none
+///   choice  read_nb(), write_nb(), empty() and full() do not wait: what they find in the cycle of their step decides
+///           (docs/timing-model.md#non-blocking-accesses). The end is described as non_blocking().
+///   errors  InputError for num_available(), num_free() and SystemC's events of FIFOs: there are none
 template <class Token>
 class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, public sc_core::sc_fifo_out_if<Token> {
   public:
@@ -32,7 +34,16 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         consume(1);
         return token;
     }
-    bool nb_read(Token& /*token*/) override { refuse("nb_read"); }
+    /// Takes a token if there is one to be read in this cycle. As its name in sc_fifo_in_if.
+    bool read_nb(Token& token) {
+        if (!reader_->attempts(*this, read_port_))
+            return false;
+        token = take();
+        return true;
+    }
+    bool nb_read(Token& token) override { return read_nb(token); }
+    /// Whether there is none.
+    bool empty() const { return !reader_->asks(*this, read_port_); }
     int num_available() const override { refuse("num_available"); }
     sc_core::sc_event const& data_written_event() const override { refuse("data_written_event"); }
 
@@ -40,7 +51,16 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         put(token);
         writer_->access(write_port_);
     }
-    bool nb_write(Token const& /*token*/) override { refuse("nb_write"); }
+    /// Writes a token if there is room for it in this cycle. As its name in sc_fifo_out_if.
+    bool write_nb(Token const& token) {
+        if (!writer_->attempts(*this, write_port_))
+            return false;
+        put(token);
+        return true;
+    }
+    bool nb_write(Token const& token) override { return write_nb(token); }
+    /// Whether there is no room.
+    bool full() const { return !writer_->asks(*this, write_port_); }
     int num_free() const override { refuse("num_free"); }
     sc_core::sc_event const& data_read_event() const override { refuse("data_read_event"); }
 

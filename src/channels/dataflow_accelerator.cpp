@@ -10,8 +10,8 @@ namespace dataflow {
 
 DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> machine,
                                          std::size_t samples, Engine engine, MakeCore const& make_core)
-    : sc_module(name), machine_(std::move(machine)), engine_(engine) {
-    TimeBase const time_base{engine, machine_->clock_mhz};
+    : sc_module(name), machine_(std::move(machine)), engine_(makes_attempts(*machine_) ? Engine::lockstep : engine) {
+    TimeBase const time_base{engine_, machine_->clock_mhz};
     for (std::size_t core = 0; core < machine_->cores; ++core) {
         std::string const core_name = "core_" + std::to_string(core);
         CoreShare const share = share_of(core, machine_->cores, samples);
@@ -19,7 +19,7 @@ DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, st
     }
     if (machine_->external_memory)
         join_by_memory(*machine_->external_memory);
-    else if (engine == Engine::decoupled)
+    else if (engine_ == Engine::decoupled)
         let_cores_take_turns();
 }
 

@@ -56,11 +56,11 @@ class FifoChannel : public sc_core::sc_prim_channel {
         }
     }
 
-    /// Of an access whose outcome would depend on who has got how far.
+    /// Of what asks for more than whether there is a token, or room for one.
     [[noreturn]] void refuse(char const* call) const {
         throw InputError(std::string(name()) + ": " + call +
-                         " asks what a FIFO holds at the moment, which is not modelled, expected read() and write(), " +
-                         "which wait");
+                         " asks what a FIFO holds at the moment, which is not modelled, expected read_nb(), " +
+                         "write_nb(), empty() or full()");
     }
 
     ProcessClock* reader_ = nullptr;

@@ -33,6 +33,7 @@ void ProcessClock::connect_all() {
         if (end.when != FifoEnd::When::within_call)
             hand_overs_[end.when] =
                 hand_overs_[end.when] | timing::Ports::of(static_cast<unsigned>(timing_.port_count() - 1));
+        may_attempt_.push_back(end.makes_attempts);
     }
     std::string const loop_of_stream = connect_stream();
     for (std::size_t const number : process.loops) {
@@ -157,7 +158,10 @@ void ProcessClock::begin_pipeline(unsigned loop, SourceSite site) {
     std::vector<timing::LoopRead> const& reads = timing_.loops()[loop].reads;
     pipelined_ = loop;
     is_pipelining_ = true;
-    is_held_ = std::any_of(reads.begin(), reads.end(), [](timing::LoopRead const& read) { return read.stage > 0; });
+    makes_attempts_ = timing_.loops()[loop].makes_attempts;
+    is_held_ = makes_attempts_ ||
+               std::any_of(reads.begin(), reads.end(), [](timing::LoopRead const& read) { return read.stage > 0; });
+    has_begun_ = false;
     reached_ = 0;
 }
 
@@ -166,6 +170,12 @@ void ProcessClock::reach(std::uint64_t iteration) {
     if (!is_held_)
         return;
     std::uint64_t const step = iteration * timing_.loops()[pipelined_].interval.achieved;
+    if (makes_attempts_) {
+        if (iteration > 0)
+            end_iteration(step);
+        has_begun_ = true;
+        return;
+    }
     take_before(step);
     reached_ = step;
     follow();
@@ -175,16 +185,23 @@ void ProcessClock::take_before(std::uint64_t step) {
     while (!takings_.empty() && takings_.front().step < step) {
         Taking const taking = std::move(takings_.front());
         takings_.pop_front();
-        reached_ = std::max(reached_, taking.step);
-        follow();
+        if (makes_attempts_) {
+            if (!taking.is_attempt && taking.step > reached_)
+                come_to_step(taking.step);
+        } else {
+            reached_ = std::max(reached_, taking.step);
+            follow();
+        }
         taking.take();
     }
 }
 
 void ProcessClock::end_pipeline() {
+    if (makes_attempts_)
+        drain();
     leave_loop();
     take_before(all_steps);
-    is_held_ = is_pipelining_ = false;
+    is_held_ = is_pipelining_ = makes_attempts_ = false;
     follow();
 }
 
@@ -194,7 +211,11 @@ void ProcessClock::later(FifoChannel const& fifo, std::function<void()> taking) 
         taking();
         return;
     }
-    Taking due{reached_ + stage, std::move(taking)};
+    put_off(reached_ + (makes_attempts_ ? step_of(fifo.read_port().first()) : stage), std::move(taking), false);
+}
+
+void ProcessClock::put_off(std::uint64_t step, std::function<void()> taking, bool is_attempt) {
+    Taking due{step, std::move(taking), is_attempt};
     auto const at = std::upper_bound(takings_.begin(), takings_.end(), due,
                                      [](Taking const& one, Taking const& other) { return one.step < other.step; });
     takings_.insert(at, std::move(due));
@@ -204,6 +225,8 @@ void ProcessClock::later(FifoChannel const& fifo, std::function<void()> taking) 
 void ProcessClock::require_first_stage(FifoChannel const& fifo) const {
     timing::LoopShape const& loop = timing_.loops()[pipelined_];
     Cycles const stage = fifo.timing().shape().read_stage;
+    if (last_attempt_ && reached_ + step_of(fifo.read_port().first()) == *last_attempt_)
+        return;
     Cycles first = stage;
     for (timing::LoopRead const& read : loop.reads)
         first = std::min(first, read.stage);
@@ -224,7 +247,7 @@ void ProcessClock::require_once(timing::Ports port) const {
         return;
     std::string const fifo = fifos_[number]->timing().name();
     std::string const does = timing_.writes(number) ? "writes" : "reads";
-    if (collected_.has(number))
+    if (collected_.has(number) || attempted_.has(number))
         throw InputError("module " + timing_.name() + " " + does + " " + fifo +
                          " twice in a step or an iteration of a loop, " + "expected once");
     if (is_pipelining_ && !is_named_by_loop(number))

@@ -152,7 +152,21 @@ class ProcessClock {
             collecting_ = true;
             body(i);
             collecting_ = false;
-            iterate(std::exchange(collected_, timing::Ports()), 1);
+            end_body();
+        }
+        end_pipeline();
+    }
+    /// Of a loop whose trip count depends on what it does: as many iterations as `body` asks for, by returning true.
+    template <class Body>
+    void pipeline_while(std::string_view loop_name, Body body, SourceSite site = SourceSite::here()) {
+        begin_pipeline(loop(loop_name), site);
+        bool goes_on = true;
+        for (std::uint64_t i = 0; goes_on; ++i) {
+            reach(i);
+            collecting_ = true;
+            goes_on = body(i);
+            collecting_ = false;
+            end_body();
         }
         end_pipeline();
     }
@@ -182,6 +196,35 @@ class ProcessClock {
         pipeline(loop_name, count, whole_body, site);
     }
 
+    // Non-blocking accesses (ClockedFifo): in the body of pipeline(), if their step is before the next iteration's
+    // first access; outside loops, at the local time. Any other of an iteration is made by try_read_later() and
+    // try_write_later(): when the iteration has got to the stage, `use` is called with the token, or null, or with
+    // whether the token was written.
+
+    template <class Fifo, class Use> void try_read_later(Fifo& fifo, Use use) {
+        attempt_later(fifo, read_port_of(fifo), [this, &fifo, use = std::move(use)](std::uint64_t step) mutable {
+            if (!attempts_in(fifo, read_port_of(fifo), step)) {
+                use(nullptr);
+                return;
+            }
+            auto const token = fifo.take();
+            use(&token);
+        });
+    }
+    template <class Fifo, class Token, class Use> void try_write_later(Fifo& fifo, Token token, Use use) {
+        attempt_later(fifo, write_port_of(fifo),
+                      [this, &fifo, token = std::move(token), use = std::move(use)](std::uint64_t step) mutable {
+                          bool const is_written = attempts_in(fifo, write_port_of(fifo), step);
+                          if (is_written)
+                              fifo.put(token);
+                          use(is_written);
+                      });
+    }
+    /// Whether an access finds a token, or room, in the cycle of its step. Then it takes place.
+    bool attempts(FifoChannel const& fifo, timing::Ports port) { return attempts(fifo, port, false); }
+    /// Whether one would; no access takes place.
+    bool asks(FifoChannel const& fifo, timing::Ports port) { return attempts(fifo, port, true); }
+
     bool uses_memory() const { return timing_.stream() != nullptr; }
     /// The process's port to the external memory, for an iteration that takes a token, or none if the memory is ideal.
     timing::Ports memory_port() const;
@@ -201,6 +244,8 @@ class ProcessClock {
         if (collecting_) {
             require_once(port);
             collected_ = collected_ | port;
+            if (last_attempt_)
+                tell_behind_attempt(port);
         } else {
             step(port);
         }
@@ -243,7 +288,7 @@ class ProcessClock {
     }
     void follow() {
         if (lockstep())
-            follow_in_lockstep(is_held_ ? reached_ : all_steps);
+            follow_in_lockstep(is_held_ && !makes_attempts_ ? reached_ : all_steps);
         else if (timing_.log().pending() > log_limit_)
             catch_up();
     }
@@ -263,9 +308,24 @@ class ProcessClock {
     bool is_named_by_loop(unsigned port) const;
     void begin_pipeline(unsigned loop, SourceSite site);
     void reach(std::uint64_t iteration);
+    void end_body();
     void take_before(std::uint64_t step);
+    void end_iteration(std::uint64_t step);
+    void drain();
+    bool attempts(FifoChannel const& fifo, timing::Ports port, bool only_asks);
+    bool attempts_in(FifoChannel const& fifo, timing::Ports port, std::uint64_t step);
+    bool decide(timing::Ports port, bool only_asks, std::uint64_t iterations_behind);
+    void attempt_later(FifoChannel const& fifo, timing::Ports port, std::function<void(std::uint64_t step)> attempt);
+    std::uint64_t step_of(unsigned port) const;
+    void tell_ports();
+    void tell_behind_attempt(timing::Ports port);
+    void reach_step(std::uint64_t step);
+    void come_to_step(std::uint64_t step);
+    void require_attempts(FifoChannel const& fifo, timing::Ports port) const;
+    static timing::Ports write_port_of(FifoChannel const& fifo);
     void end_pipeline();
     void later(FifoChannel const& fifo, std::function<void()> taking);
+    void put_off(std::uint64_t step, std::function<void()> taking, bool is_attempt);
     std::vector<FifoChannel*> channels_of(std::vector<std::size_t> const& fifos) const;
     FifoChannel& channel_of(std::size_t fifo) const;
 
@@ -294,12 +354,23 @@ class ProcessClock {
     struct Taking {
         std::uint64_t step;
         std::function<void()> take;
+        bool is_attempt;
     };
     std::deque<Taking> takings_;  // of what is read later, in the order of their steps
     unsigned pipelined_ = 0;      // the loop's number
     bool is_pipelining_ = false;
     bool is_held_ = false;       // in lockstep, the process goes no further than the module has got,
     std::uint64_t reached_ = 0;  // which is this step
+
+    // If it makes attempts, it tells of an iteration when that, and all that is done beside it, is over.
+    bool makes_attempts_ = false;
+    bool has_begun_ = false;  // an iteration
+    bool is_draining_ = false;
+    timing::Ports told_;                         // of the iteration at hand
+    bool is_told_ = false;                       // that it has begun
+    std::optional<std::uint64_t> last_attempt_;  // of its body: the step
+    timing::Ports attempted_;
+    std::vector<bool> may_attempt_;  // by port
 };
 
 /// Accesses through plain ports in this scope happen together, as one step.

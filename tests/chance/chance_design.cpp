@@ -27,7 +27,7 @@ constexpr std::size_t by_steps = ~std::size_t{0};
 
 class Maker {
   public:
-    explicit Maker(std::uint64_t seed) : dice_(seed) {}
+    explicit Maker(std::uint64_t seed) : dice_(seed), dice_for_attempts_(~seed) {}
 
     Design make() {
         add_processes();
@@ -36,6 +36,7 @@ class Maker {
             add_loops(process);
         for (std::uint64_t phase = dice_.between(1, 3); phase > 0; --phase)
             add_phase();
+        add_rests();
         design_.cores = dice_.one_in(4) ? 2 : 1;
         design_.samples = dice_.between(1, 3);
         return design_;
@@ -48,6 +49,7 @@ class Maker {
             Process process;
             process.name = "p" + std::to_string(i);
             process.takes_early = dice_.one_in(2);
+            process.tries_early = dice_for_attempts_.one_in(2);
             process.memory_ports = dice_.between(1, 3);
             process.program.push_back(wait(dice_.one_in(2) ? 1 : dice_.below(6)));
             process.starts = dice_.one_in(4) ? dice_.below(9) : 0;
@@ -60,6 +62,7 @@ class Maker {
         std::uint64_t const count = processes == 1 ? 0 : dice_.between(processes - 1, processes + 2);
         bool const may_be_cyclic = dice_.one_in(3);
         bool const may_hand_over = dice_.one_in(3);
+        bool const have_attempts = dice_for_attempts_.one_in(3);
         for (std::size_t f = 0; f < count; ++f) {
             Fifo fifo;
             fifo.writer = dice_.below(processes);
@@ -71,6 +74,10 @@ class Maker {
             fifo.read_stage = dice_.one_in(2) ? 0 : dice_.below(5);
             set_room(fifo, dice_);
             fifo.is_ping_pong = may_hand_over && fifo.writer < fifo.reader && dice_.one_in(2);
+            if (have_attempts && !fifo.is_ping_pong && dice_for_attempts_.one_in(2)) {
+                fifo.writer_tries = dice_for_attempts_.one_in(2);
+                fifo.reader_tries = fifo.writer_tries ? !dice_for_attempts_.one_in(5) : dice_for_attempts_.one_in(2);
+            }
             design_.fifos.push_back(fifo);
         }
         // As a core lists them: by their writers.
@@ -141,6 +148,20 @@ class Maker {
         }
     }
 
+    /// What was written, and not found.
+    void add_rests() {
+        for (std::size_t f = 0; f < design_.fifos.size(); ++f) {
+            Fifo const& fifo = design_.fifos[f];
+            if (!fifo.reader_tries || fifo.writer_tries)
+                continue;
+            Segment rest;
+            rest.kind = Segment::Kind::rest;
+            rest.step = {f};
+            design_.processes[fifo.reader].program.push_back(rest);
+            design_.processes[fifo.reader].program.push_back(wait(1));
+        }
+    }
+
     void add_loop(Process& process, std::size_t loop, std::vector<Accesses> iterations) {
         Segment segment;
         segment.kind = Segment::Kind::loop;
@@ -201,6 +222,7 @@ class Maker {
 
   private:
     Dice dice_;
+    Dice dice_for_attempts_;
     Design design_;
 };
 
@@ -209,11 +231,15 @@ ModuleDescription module_of(Design const& design, std::size_t number) {
     ModuleDescription module(process.name);
     for (std::size_t const f : process.ends) {
         Fifo const& fifo = design.fifos[f];
-        if (design.writes(number, f))
-            module.writes_to(fifo.name).carries("numbers").of_bits(fifo.bits).leaves(process.loops.front().name,
-                                                                                     fifo.write_stage);
+        FifoEnd& end = design.writes(number, f) ? module.writes_to(fifo.name) : module.reads_from(fifo.name);
+        if (design.tries(number, f))
+            end.non_blocking();
+        if (!end.writes)
+            end.taken(process.loops.front().name, fifo.read_stage);
         else
-            module.reads_from(fifo.name).taken(process.loops.front().name, fifo.read_stage);
+            end.carries("numbers").of_bits(fifo.bits).leaves(process.loops.front().name, fifo.write_stage);
+        if (fifo.writer_tries)
+            end.keeps_tokens();
     }
     for (std::size_t const f : process.buffers) {
         Fifo const& fifo = design.fifos[f];
@@ -307,6 +333,17 @@ MachineSettings settings_of(Design const& design) {
     return settings;
 }
 
+std::uint64_t accesses_of(Design const& design, std::size_t process, std::size_t fifo) {
+    std::int64_t count = 0;
+    for (Segment const& segment : design.processes[process].program) {
+        if (segment.kind == Segment::Kind::step)
+            count += std::count(segment.step.begin(), segment.step.end(), fifo);
+        for (Accesses const& iteration : segment.iterations)
+            count += std::count(iteration.begin(), iteration.end(), fifo);
+    }
+    return static_cast<std::uint64_t>(count);
+}
+
 std::string text_of(Design const& design) {
     std::string text = std::to_string(design.cores) + " cores, " + std::to_string(design.samples) + " samples, rules " +
                        std::to_string(static_cast<int>(design.rules)) +
@@ -315,7 +352,8 @@ std::string text_of(Design const& design) {
         text += fifo.name + ": " + design.processes[fifo.writer].name + " (stage " + std::to_string(fifo.write_stage) +
                 ") to " + design.processes[fifo.reader].name + " (stage " + std::to_string(fifo.read_stage) +
                 "), depth " + std::to_string(fifo.depth) + " kind " + std::to_string(static_cast<int>(fifo.kind)) +
-                " of " + std::to_string(fifo.bits) + (fifo.is_ping_pong ? " bits, ping-pong\n" : " bits\n");
+                " of " + std::to_string(fifo.bits) + (fifo.is_ping_pong ? " bits, ping-pong" : " bits") +
+                (fifo.writer_tries ? ", writer tries" : "") + (fifo.reader_tries ? ", reader tries" : "") + "\n";
     auto const list = [&](Accesses const& accesses) {
         std::string names;
         for (std::size_t const fifo : accesses)
@@ -323,7 +361,8 @@ std::string text_of(Design const& design) {
         return names;
     };
     for (Process const& process : design.processes) {
-        text += process.name + (process.takes_early ? " (takes early):" : ":") + list(process.ends) + ", starts " +
+        text += process.name + (process.takes_early ? " (takes early)" : "") +
+                (process.tries_early ? " (tries early):" : ":") + list(process.ends) + ", starts " +
                 std::to_string(process.starts) + ", buffers" + list(process.buffers) + "\n";
         for (Loop const& loop : process.loops)
             text +=
@@ -334,7 +373,8 @@ std::string text_of(Design const& design) {
                 ", memory " + std::to_string(loop.reads) + " + " + std::to_string(loop.writes) + " on " +
                 std::to_string(process.memory_ports) + "\n";
         for (Segment const& segment : process.program)
-            text += segment.kind == Segment::Kind::wait ? "  wait " + std::to_string(segment.cycles) + "\n"
+            text += segment.kind == Segment::Kind::wait   ? "  wait " + std::to_string(segment.cycles) + "\n"
+                    : segment.kind == Segment::Kind::rest ? "  rest" + list(segment.step) + "\n"
                     : segment.kind == Segment::Kind::step
                         ? "  step" + list(segment.step) + "\n"
                         : "  run loop" + std::to_string(segment.loop) + " " +

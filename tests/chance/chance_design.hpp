@@ -22,6 +22,8 @@ struct Fifo {
     Cycles write_stage = 0;
     Cycles read_stage = 0;
     bool is_ping_pong = false;  ///< `depth` buffers that calls hand over, and no FIFO
+    bool writer_tries = false;  ///< writes without waiting, and drops what finds no room
+    bool reader_tries = false;  ///< reads without waiting
 };
 
 /// By number of a FIFO.
@@ -37,9 +39,10 @@ struct Loop {
     unsigned reads = 0, writes = 0;  ///< of the process's memory, per iteration
 };
 
-/// Some cycles, one step, or all of a loop: an iteration for each list of accesses.
+/// Some cycles, one step, or all of a loop: an iteration for each list of accesses. Or a read a cycle of what is left
+/// of a sample in a FIFO that is read without waiting.
 struct Segment {
-    enum class Kind { wait, step, loop } kind = Kind::wait;
+    enum class Kind { wait, step, loop, rest } kind = Kind::wait;
     Cycles cycles = 0;
     Accesses step;
     std::size_t loop = 0;
@@ -55,6 +58,7 @@ struct Process {
     std::uint64_t memory_ports = 2;
     std::vector<Segment> program;  ///< of every sample
     bool takes_early = false;      ///< reads by plain ports where that is allowed
+    bool tries_early = false;      ///< in the body of an iteration, where that is allowed
 };
 
 struct Design {
@@ -66,6 +70,9 @@ struct Design {
     std::size_t samples = 1;
 
     bool writes(std::size_t process, std::size_t fifo) const { return fifos[fifo].writer == process; }
+    bool tries(std::size_t process, std::size_t fifo) const {
+        return writes(process, fifo) ? fifos[fifo].writer_tries : fifos[fifo].reader_tries;
+    }
     Cycles stage(std::size_t process, std::size_t fifo) const {
         return writes(process, fifo) ? fifos[fifo].write_stage : fifos[fifo].read_stage;
     }
@@ -80,6 +87,9 @@ Design retimed(Design const& design, std::uint64_t seed);
 CoreDescription plain_description_of(Design const& design);
 CoreDescription description_of(Design const& design);
 MachineSettings settings_of(Design const& design);
+
+/// What a process does at a FIFO in a sample, found or not.
+std::uint64_t accesses_of(Design const& design, std::size_t process, std::size_t fifo);
 
 /// For people, to see a failure by.
 std::string text_of(Design const& design);

@@ -1,5 +1,6 @@
 #include "chance/chance_simulation.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include "channels/sample_module.hpp"
 #include "channels/simple_simulation.hpp"
 #include "channels/simulate.hpp"
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/run/events/event_file.hpp"
 #include "dataflow/run/replay/retime.hpp"
@@ -43,13 +45,18 @@ class ChanceModule : public SampleModule {
     ClockedFifo<Token>& fifo(std::size_t number) const { return core_of_it_.fifo<Token>(design().fifos[number].name); }
     bool writes(std::size_t fifo) const { return design().writes(number_, fifo); }
 
+    bool tries(std::size_t fifo) const { return design().tries(number_, fifo); }
+
     void work(std::size_t sample) override {
         exchange_buffers(static_cast<Token>(sample));
+        std::vector<Token> const before = next_;
         for (Segment const& segment : process().program)
             if (segment.kind == Segment::Kind::wait)
                 clock_.advance(segment.cycles);
             else if (segment.kind == Segment::Kind::step)
                 do_step(segment.step);
+            else if (segment.kind == Segment::Kind::rest)
+                read_rest(segment.step.front(), before);
             else
                 do_loop(segment);
     }
@@ -66,24 +73,79 @@ class ChanceModule : public SampleModule {
     }
 
     void do_step(Accesses const& accesses) {
-        if (accesses.size() == 1) {
+        if (accesses.size() == 1 && !tries(accesses.front())) {
             access(accesses.front());
         } else {
             Step const step(clock_);
             for (std::size_t const fifo : accesses)
-                access(fifo);
+                if (!tries(fifo))
+                    access(fifo);
+            for (std::size_t const fifo : accesses)
+                if (tries(fifo))
+                    attempt(fifo);
         }
         clock_.advance(1);
     }
 
+    void read_rest(std::size_t number, std::vector<Token> const& before) {
+        auto const count = static_cast<Token>(accesses_of(design(), number_, number));
+        while (next_[number] < before[number] + count) {
+            access(number);
+            clock_.advance(1);
+        }
+    }
+
     void do_loop(Segment const& segment) {
+        unsigned const loop = clock_.loop(process().loops[segment.loop].name);
         clock_.pipeline(process().loops[segment.loop].name, segment.iterations.size(), [&](std::uint64_t i) {
             for (std::size_t const one : segment.iterations[i])
-                if (writes(one) || is_first_stage(one))
+                if (tries(one))
+                    continue;
+                else if (writes(one) || is_first_stage(one))
                     access(one);
                 else
                     clock_.take_later(fifo(one), [this, one](Token token) { take(one, token); });
+            make_attempts(segment.iterations[i], loop);
         });
+    }
+    void make_attempts(Accesses accesses, unsigned loop) {
+        std::stable_sort(accesses.begin(), accesses.end(), [this](std::size_t one, std::size_t other) {
+            return design().stage(number_, one) < design().stage(number_, other);
+        });
+        for (std::size_t const one : accesses)
+            if (tries(one) && process().tries_early && is_before_next(one, loop))
+                attempt(one);
+            else if (tries(one))
+                attempt_later(one);
+    }
+    bool is_before_next(std::size_t number, unsigned loop) const {
+        ClockedFifo<Token> const& one = fifo(number);
+        unsigned const port = (writes(number) ? one.write_port() : one.read_port()).first();
+        timing::LoopPlan const& plan = clock_.timing().shape()->plans[loop];
+        return plan.step_of(port).value() < plan.ii;
+    }
+    void attempt(std::size_t number) {
+        if (writes(number)) {
+            bool const is_room = !fifo(number).full();
+            if (fifo(number).write_nb(next_[number]++) != is_room)
+                throw std::logic_error("full() says something else than write_nb()");
+            return;
+        }
+        Token token = 0;
+        bool const is_there = !fifo(number).empty();
+        if (fifo(number).read_nb(token) != is_there)
+            throw std::logic_error("empty() says something else than read_nb()");
+        if (is_there)
+            take(number, token);
+    }
+    void attempt_later(std::size_t number) {
+        if (writes(number))
+            clock_.try_write_later(fifo(number), next_[number]++, [](bool) {});
+        else
+            clock_.try_read_later(fifo(number), [this, number](Token const* token) {
+                if (token != nullptr)
+                    take(number, *token);
+            });
     }
     /// Read by a plain port.
     bool is_first_stage(std::size_t fifo) const {
@@ -101,8 +163,10 @@ class ChanceModule : public SampleModule {
             take(number, fifo(number).read());
     }
     void take(std::size_t number, Token token) {
-        if (token != next_[number]++)
+        bool const is_next = design().fifos[number].writer_tries ? token >= next_[number] : token == next_[number];
+        if (!is_next)
             throw std::logic_error("a token is not what was written");
+        next_[number] = token + 1;
     }
 
     SimpleCore& core_of_it_;
@@ -152,6 +216,14 @@ Figures figures_from_file(LoadedConfig const& loaded, replay::RecordedRun const&
     return figures;
 }
 
+void retime_as(Design const& other, replay::RecordedRun const& recorded, Outcome& outcome) {
+    try {
+        outcome.other = figures_of(replay::retime(recorded, make_machine(description_of(other), settings_of(other))));
+    } catch (InputError const& error) {
+        outcome.refusal = error.what();
+    }
+}
+
 Outcome run_here(Design const& design, Design const& other, faster::Engine engine, bool records) {
     Outcome outcome;
     try {
@@ -172,8 +244,7 @@ Outcome run_here(Design const& design, Design const& other, faster::Engine engin
         if (records && !run.deadlocked()) {
             outcome.as_is = figures_of(replay::retime(recorded, *machine));
             outcome.from_file = figures_from_file(loaded, recorded, run);
-            outcome.other =
-                figures_of(replay::retime(recorded, make_machine(description_of(other), settings_of(other))));
+            retime_as(other, recorded, outcome);
         }
     } catch (std::exception const& error) {
         outcome.error = error.what();
@@ -199,6 +270,7 @@ Figures get(testing::ByteReader& reader) {
 std::string bytes_of(Outcome const& outcome) {
     testing::ByteWriter writer;
     writer.put(outcome.error);
+    writer.put(outcome.refusal);
     for (Figures const* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
         put(writer, *figures);
     return writer.bytes();
@@ -212,6 +284,7 @@ Outcome run_forked(Design const& design, Design const& other, faster::Engine eng
         testing::ByteReader reader(
             testing::forked_bytes([&] { return bytes_of(run_here(design, other, engine, records)); }));
         reader.get(outcome.error);
+        reader.get(outcome.refusal);
         for (Figures* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
             *figures = get(reader);
     } catch (std::runtime_error const& error) {

@@ -13,9 +13,10 @@ struct Outcome {
     std::string error;  ///< what was thrown; empty: nothing
     Figures run;
     // Of a run that was recorded and did not get stuck.
-    Figures as_is;      ///< the recording retimed as it is, ...
-    Figures from_file;  ///< ... and likewise from its event file
-    Figures other;      ///< retimed as another design
+    Figures as_is;        ///< the recording retimed as it is, ...
+    Figures from_file;    ///< ... and likewise from its event file
+    Figures other;        ///< retimed as another design, unless
+    std::string refusal;  ///< an attempt would come out otherwise
 };
 
 /// With `records`, the run is recorded; `other` is the same design with other timing keys.

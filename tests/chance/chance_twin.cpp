@@ -11,6 +11,9 @@ namespace {
 /// One cycle of a process, unless it has to wait in front of it.
 struct Step {
     Accesses accesses;                  ///< in program order
+    Accesses attempts;                  ///< that take place if they can
+    std::optional<std::size_t> rest;    ///< a FIFO: not once, but as long as there has not been read
+    std::uint64_t rest_until = 0;       ///< so much of it
     std::optional<std::size_t> begins;  ///< the first step of this sample of the core
     std::optional<std::size_t> calls;   ///< the first of what the process does in it, behind its start
     std::optional<std::size_t> ends;    ///< the last
@@ -31,8 +34,23 @@ void append_loop(Design const& design, std::size_t number, Segment const& segmen
     std::size_t const begin = steps.size() + loop.entry;
     steps.resize(begin + (segment.iterations.size() - 1) * interval + loop.depth + loop.exit);
     for (std::size_t i = 0; i < segment.iterations.size(); ++i)
-        for (std::size_t const fifo : segment.iterations[i])
-            steps.at(begin + i * interval + design.stage(number, fifo)).accesses.push_back(fifo);
+        for (std::size_t const fifo : segment.iterations[i]) {
+            Step& step = steps.at(begin + i * interval + design.stage(number, fifo));
+            (design.tries(number, fifo) ? step.attempts : step.accesses).push_back(fifo);
+        }
+}
+
+void append_step(Design const& design, std::size_t number, Accesses const& accesses, Steps& steps) {
+    steps.emplace_back();
+    for (std::size_t const fifo : accesses)
+        (design.tries(number, fifo) ? steps.back().attempts : steps.back().accesses).push_back(fifo);
+}
+
+void append_rest(std::size_t fifo, std::uint64_t until, Steps& steps) {
+    steps.emplace_back();
+    steps.back().accesses = {fifo};
+    steps.back().rest = fifo;
+    steps.back().rest_until = until;
 }
 
 Steps steps_of(Design const& design, std::size_t number, std::size_t samples) {
@@ -46,7 +64,10 @@ Steps steps_of(Design const& design, std::size_t number, std::size_t samples) {
             if (segment.kind == Segment::Kind::wait)
                 steps.resize(steps.size() + segment.cycles);
             else if (segment.kind == Segment::Kind::step)
-                steps.push_back({segment.step, {}, {}, {}});
+                append_step(design, number, segment.step, steps);
+            else if (segment.kind == Segment::Kind::rest)
+                append_rest(segment.step.front(), (sample + 1) * accesses_of(design, number, segment.step.front()),
+                            steps);
             else
                 append_loop(design, number, segment, steps);
         steps[begin].begins = sample;
@@ -80,6 +101,7 @@ class CoreSimulation {
         bool has_accessed = false;
         Cycles empty = 0, full = 0, idle = 0;
         std::vector<Cycles> begins, ends;
+        std::string outcomes;  ///< of attempts
         bool is_done() const { return next == steps.size(); }
     };
 
@@ -168,6 +190,8 @@ class CoreSimulation {
 
     /// Who may step is decided before anybody does. False: nothing moves, nor will it.
     bool pass_cycle() {
+        for (OfProcess& process : processes)
+            leave_rests(process);
         std::vector<std::size_t> movers;
         for (std::size_t i = 0; i < processes.size(); ++i)
             if (!processes[i].is_done() && may_step(i))
@@ -177,6 +201,12 @@ class CoreSimulation {
         for (OfFifo& fifo : fifos)
             fifo.most = std::max(fifo.most, fifo.holds());
         return !movers.empty() || something_ripens();
+    }
+
+    void leave_rests(OfProcess& process) const {
+        while (!process.is_done() && process.steps[process.next].rest &&
+               fifos[*process.steps[process.next].rest].read.size() >= process.steps[process.next].rest_until)
+            ++process.next;
     }
 
     bool may_step(std::size_t number) {
@@ -202,16 +232,27 @@ class CoreSimulation {
     void step(std::size_t number) {
         OfProcess& process = processes[number];
         Cycles const arrived = arrival(number);
-        Step const& step = process.steps[process.next++];
+        Step const& step = process.steps[process.next];
+        process.next += step.rest ? 0U : 1U;
         for (std::size_t const fifo : step.accesses)
-            (design_.writes(number, fifo) ? fifos[fifo].written : fifos[fifo].read).push_back(cycle_);
-        process.has_accessed = process.has_accessed || !step.accesses.empty();
+            access(number, fifo);
+        for (std::size_t const fifo : step.attempts) {
+            bool const is_found = may_access(number, fifo);
+            process.outcomes += std::to_string(fifo) + (is_found ? "+" : "-");
+            if (is_found)
+                access(number, fifo);
+        }
         // A sample begins when the process gets to its first step, and waits there.
         if (step.begins)
             process.begins.push_back(arrived);
         if (step.ends)
             process.ends.push_back(cycle_);
         process.arrived = process.end = cycle_ + 1;
+    }
+
+    void access(std::size_t number, std::size_t fifo) {
+        (design_.writes(number, fifo) ? fifos[fifo].written : fifos[fifo].read).push_back(cycle_);
+        processes[number].has_accessed = true;
     }
 
     bool something_ripens() const {
@@ -306,8 +347,10 @@ Figures simulated(Design const& design) {
         figures.is_stuck = figures.is_stuck || cores[core].is_stuck;
         if (cores[core].is_stuck)
             add_waits(design, core, cores[core], figures, latest);
-        for (CoreSimulation::OfProcess const& process : cores[core].processes)
+        for (CoreSimulation::OfProcess const& process : cores[core].processes) {
             total = std::max(total, process.end);
+            figures.outcomes.push_back(process.outcomes);
+        }
     }
     if (figures.is_stuck) {
         figures.lines.insert(figures.lines.begin(), fmt::format("deadlock at {}", latest));

@@ -11,6 +11,8 @@ namespace faster::chance {
 struct Figures {
     std::vector<std::string> lines;
     bool is_stuck = false;
+    /// Of a simulation cycle by cycle: what attempts found, a letter each; by process of all cores.
+    std::vector<std::string> outcomes;
 };
 
 /// Of a run that got stuck: when, and who waits for whom. Otherwise totals, samples and tables.

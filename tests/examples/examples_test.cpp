@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -20,8 +21,10 @@ using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-std::map<std::string, std::string> const binaries{
-    {"pipeline", PIPELINE_BINARY}, {"cyclic", CYCLIC_BINARY}, {"convolution", CONVOLUTION_BINARY}};
+std::map<std::string, std::string> const binaries{{"pipeline", PIPELINE_BINARY},
+                                                  {"cyclic", CYCLIC_BINARY},
+                                                  {"convolution", CONVOLUTION_BINARY},
+                                                  {"arbiter", ARBITER_BINARY}};
 
 /// One of the examples, with a folder for what it writes.
 class Example {
@@ -281,6 +284,41 @@ TEST_CASE("The cyclic design takes four cycles per message if it has three to be
         for (std::uint64_t const n : {1U, 10U, 2025U})
             CHECK(example.cycles({"accelerator.loops.controller.exchange.ii=3", "simulation.engine=" + engine,
                                   "workload.messages=" + std::to_string(n)}) == 4 * n + 1);
+}
+
+TEST_CASE("The arbiter lets producers take turns, or the first one pass", "[examples]") {
+    // A message is written in cycle 2 and found in cycle 3; 200 pass, one a cycle; the last is written in 203 and read
+    // in 204, and its iteration is over in 206.
+    Example const example("arbiter");
+    std::string const priority = "accelerator.arbiter.round_robin=0";
+    for (std::string const engine : {"decoupled", "lockstep"}) {
+        CAPTURE(engine);
+        CHECK(example.cycles({"simulation.engine=" + engine}) == 207);
+        CHECK_THAT(example.text("out/samples.csv"), Contains(",1,199\n"));  // the second waits for one message
+        CHECK(example.cycles({"simulation.engine=" + engine, priority}) == 207);
+        CHECK_THAT(example.text("out/samples.csv"), Contains(",100,1\n"));
+    }
+    // The first producer leaves every other cycle to the second.
+    example.cycles({priority, "accelerator.loops.first.produce.ii=2"});
+    CHECK_THAT(example.text("out/samples.csv"), Contains(",1,199\n"));
+}
+
+TEST_CASE("What an arbiter finds is not retimed if it might find something else; a sweep runs it", "[examples]") {
+    Example const example("arbiter");
+    example.cycles({}, "run");
+    example.run({}, {"--events", "events"});
+    example.done({"whatif", "events", "--out", "same"});
+    CHECK(example.tables("same") == example.tables("run"));
+    CommandResult const refused = example.call({"whatif", "events", "--set", "accelerator.loops.second.produce.ii=3"});
+    CHECK(refused.exit_code == 2);
+    CHECK_THAT(refused.err, Contains("module arbiter reads second_message without waiting in cycle "));
+    std::ofstream(example / "two.sweep.yaml")
+        << "format: faster-sweep\nversion: 1\nbase: " << example.configuration().string()
+        << "\ndimensions:\n  - {key: accelerator.loops.second.produce.ii, values: [1, 3]}\n";
+    example.done({"sweep", (example / "two.sweep.yaml").string(), "--out", "sweep"});
+    std::uint64_t const slower = example.cycles({"accelerator.loops.second.produce.ii=3"});
+    CHECK(slower > 207);
+    CHECK_THAT(example.text("sweep/results.csv"), Contains("207") && Contains(std::to_string(slower)));
 }
 
 TEST_CASE("A design that waits in a circle is reported, with who waits for whom", "[examples]") {

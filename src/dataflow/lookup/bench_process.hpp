@@ -120,6 +120,7 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
 
     // What ProcessRules ask for.
     bool goes_by_steps() const { return false; }
+    bool choose(Operation const& /*operation*/) const { return true; }  // no follower makes attempts
     bool may_go_on() const { return true; }
     bool may_access(Ports::Number /*ports*/) const { return true; }
     void wait_for(BenchPort const& port) { blocked_at_ |= port.fifo; }

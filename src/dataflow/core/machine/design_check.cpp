@@ -85,6 +85,19 @@ class DesignCheck {
                              did_you_mean(end.fifo, core_.fifos));
         if (!end.loop.empty())
             keyed_loop(module, end.loop);
+        if (end.makes_attempts)
+            check_attempts(module, end);
+    }
+
+    /// Neither is timed in the order of cycles.
+    void check_attempts(ModuleDescription const& module, FifoEnd const& end) const {
+        std::string const what = "module " + module.name + " accesses the FIFO " + end.fifo + " without waiting, ";
+        if (!core_.pace.driver.empty())
+            throw InputError(what + "in a design with a pace, expected a CoreDescription without pace");
+        for (ModuleDescription const& other : core_.modules)
+            for (FifoEnd const& its : other.ends)
+                if (its.fifo == end.fifo && its.flushes)
+                    throw InputError(what + "behind a pipeline that drains by itself, expected read() and write()");
     }
 
     void check_loop(ModuleDescription const& module, LoopDescription const& loop) const {

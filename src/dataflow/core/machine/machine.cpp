@@ -291,14 +291,23 @@ class Maker {
             std::size_t const fifo = machine_.fifo(end.fifo);
             bool const is_there = process.is_present && machine_.fifos[fifo].is_present;
             if (is_there && first_failing(end.conditions).empty())
-                process.ends.push_back({fifo, end.writes, end.when});
+                process.ends.push_back({fifo, end.writes, end.when, end.makes_attempts});
         }
     }
 
     void list_loops(std::size_t module) {
         for (std::size_t loop = 0; loop < machine_.loops.size(); ++loop)
-            if (machine_.loops[loop].is_present && machine_.loops[loop].process == module)
+            if (machine_.loops[loop].is_present && machine_.loops[loop].process == module) {
                 machine_.processes[module].loops.push_back(loop);
+                machine_.loops[loop].makes_attempts = attempts_in(machine_.loops[loop], machine_.processes[module]);
+            }
+    }
+
+    static bool attempts_in(MachineLoop const& loop, MachineProcess const& process) {
+        return std::any_of(process.ends.begin(), process.ends.end(), [&loop](MachineEnd const& end) {
+            std::vector<std::size_t> const& fifos = end.writes ? loop.writes : loop.reads;
+            return end.makes_attempts && std::count(fifos.begin(), fifos.end(), end.fifo) > 0;
+        });
     }
 
     std::vector<std::size_t> numbers_of(std::vector<std::string> const& fifos) const {
@@ -341,6 +350,7 @@ timing::LoopShape MachineLoop::shape() const {
     shape.depth = depth;
     shape.entry_states = entry_states;
     shape.exit_states = exit_states;
+    shape.makes_attempts = makes_attempts;
     if (has_interlocks())
         for (MachineDependence const& dependence : dependences)
             shape.interlock_spans.push_back(dependence.interlocks() ? dependence.span() : 1);
@@ -402,6 +412,13 @@ std::vector<std::size_t> brams_of(Machine const& machine) { return present(machi
 bool has_interlocks(Machine const& machine) {
     return std::any_of(machine.loops.begin(), machine.loops.end(),
                        [](MachineLoop const& loop) { return loop.is_present && loop.has_interlocks(); });
+}
+
+bool makes_attempts(Machine const& machine) {
+    return std::any_of(machine.processes.begin(), machine.processes.end(), [](MachineProcess const& process) {
+        return process.is_present && std::any_of(process.ends.begin(), process.ends.end(),
+                                                 [](MachineEnd const& end) { return end.makes_attempts; });
+    });
 }
 
 std::vector<std::size_t> streams_of(Machine const& machine) { return present(machine.streams); }

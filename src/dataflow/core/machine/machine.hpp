@@ -30,6 +30,7 @@ struct MachineEnd {
     std::size_t fifo = 0;  ///< number of a FIFO
     bool writes = false;
     FifoEnd::When when = FifoEnd::When::within_call;
+    bool makes_attempts = false;  ///< may access it without waiting
 };
 
 struct MachineProcess {
@@ -89,6 +90,7 @@ struct MachineLoop {
     std::vector<MachineDependence> dependences;
     std::vector<std::size_t> reads;  ///< those it was told of: all if it writes, or reads in a later stage
     bool is_listed = true;           ///< in loops.csv
+    bool makes_attempts = false;     ///< at any of its FIFOs
 
     /// The number of its dependence on a memory, if it has one.
     std::optional<std::size_t> dependence_on(std::size_t memory) const;
@@ -181,6 +183,9 @@ std::vector<timing::MemorySystem::MasterShape> masters_of(Machine const& machine
 
 /// Whether iterations of any loop wait for others to write.
 bool has_interlocks(Machine const& machine);
+
+/// Whether any process accesses a FIFO without waiting: what such a design does depends on when.
+bool makes_attempts(Machine const& machine);
 
 /// Block RAMs of 36 Kbit of one core, line buffers included; without FIFOs.
 double ramb36_of_core(Machine const& machine);

@@ -32,6 +32,7 @@ struct FifoEnd {
     std::optional<Cycles> read_stage;     ///< default stage of the reading loop in which a token is taken
     std::string loop;                     ///< the loop whose depth bounds the write latency or read stage; or empty
     bool may_keep_tokens = false;         ///< at the end of a run, unread: of the writing end
+    bool makes_attempts = false;          ///< may access it without waiting
     bool flushes = false;                 ///< behind a flushing pipeline of its module, see timing::FlushingPipeline
     std::string latency_meaning;          ///< of such a pipeline, one sentence for the documentation
     std::uint64_t buffer_words = 0;       ///< of a ping-pong buffer, which it is then: see hands_over()
@@ -58,6 +59,9 @@ struct FifoEnd {
     FifoEnd& hands_over(std::uint64_t words) { return buffer_words = words, *this; }
     /// Tokens may be left in the FIFO at the end of a run, which warns of them; otherwise they are an error.
     FifoEnd& keeps_tokens() { return may_keep_tokens = true, *this; }
+    /// Accessed by read_nb() or write_nb(), or asked by empty() or full(), besides read() and write(). A loop that does
+    /// so names all FIFOs that it accesses, by leaves(), taken(), writes_to() or also_reads().
+    FifoEnd& non_blocking() { return makes_attempts = true, *this; }
     FifoEnd& only_if(Condition condition) { return conditions.push_back(std::move(condition)), *this; }
 };
 

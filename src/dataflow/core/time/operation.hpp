@@ -13,7 +13,7 @@ namespace dataflow::timing {
 class Operation {
   public:
     enum class Kind : std::uint8_t {
-        wait,     ///< T += count; with a gap: setup(), begin_setup(), await_setup() or await_write()
+        wait,     ///< T += count; with a gap: setup(), begin_setup(), await_setup(), await_write() or a choice
         step,     ///< the accesses of `ports` together, then T += count
         enter,    ///< enter pipelined loop number `count`
         iterate,  ///< `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing;
@@ -86,10 +86,28 @@ class Operation {
         return head;
     }
     /// What a wait does: its gap. From first_dependence on, it is await_write() for the dependence of that number.
-    enum WaitFor : std::uint32_t { cycles, whole_setup, setup_begin, setup_end, first_dependence, call_start = 1023 };
+    /// The last ones are choices: what a loop says that makes attempts, and an attempt itself, in a loop or outside.
+    enum WaitFor : std::uint32_t {
+        cycles,
+        whole_setup,
+        setup_begin,
+        setup_end,
+        first_dependence,
+        call_start = longest_gap - 4,
+        step_to_reach = longest_gap - 3,
+        end_of_window,
+        ports_of_window,
+        attempt,
+    };
     bool is_plain_wait() const { return gap() == cycles; }
+    bool is_choice() const { return kind() == Kind::wait && gap() >= step_to_reach; }
+    /// Of an attempt: whether it found what it looked for, and moved a token if it did; and how many iterations its own
+    /// is behind the one at hand.
+    bool succeeded() const { return (count() & 1U) != 0; }
+    bool only_asked() const { return (count() & 2U) != 0; }
+    std::uint32_t iterations_behind() const { return count() >> 2U; }
     /// Of a wait: what await_write() says, and the number of its dependence.
-    bool awaits_write() const { return gap() >= first_dependence && gap() != call_start; }
+    bool awaits_write() const { return gap() >= first_dependence && gap() < call_start; }
     std::uint32_t dependence() const { return gap() - first_dependence; }
     /// Says nothing besides what its kind can mean.
     bool is_well_formed() const {
@@ -173,6 +191,20 @@ class OperationLog {
     /// may, if that is a dependence that it waits for.
     void await_write(std::uint32_t dependence, std::uint32_t distance) {
         append(Operation(Kind::wait, 0, Operation::first_dependence + dependence, distance));
+    }
+    // A loop that makes attempts tells of each iteration that makes any, or waits for one, in parts: `ports_of_window`,
+    // attempts, and then iterate() with the same ports and more.
+
+    /// The iteration at hand accesses `ports`, besides others that are told later.
+    void add_ports(Ports::Number ports) { append(Operation(Kind::wait, ports, Operation::ports_of_window, 0)); }
+    /// All is done of it that is before a step, or in it; twice its number, and 1 if only what is before.
+    void reach_step(std::uint32_t code) { append(Operation(Kind::wait, 0, Operation::step_to_reach, code)); }
+    /// While a loop drains: the steps of an iteration more are over.
+    void end_window() { append(Operation(Kind::wait, 0, Operation::end_of_window, 0)); }
+    /// A non-blocking access, in the step of its port.
+    void attempt(Ports::Number port, bool succeeded, bool only_asked, std::uint32_t iterations_behind) {
+        append(Operation(Kind::wait, port, Operation::attempt,
+                         (iterations_behind << 2U) | (only_asked ? 2U : 0U) | (succeeded ? 1U : 0U)));
     }
     void enter(std::uint32_t loop) { append(Operation(Kind::enter, 0, 0, loop)); }
     void leave() { append(Operation(Kind::leave, 0, 0, 0)); }

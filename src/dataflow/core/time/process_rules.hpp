@@ -72,6 +72,7 @@ template <class Time> struct ProcessState {
 ///     void let_bubbles_in(Port const&, Time bubbles, Time from)  a flushing pipeline, instead of what a port reads
 ///     void lets_out(Port const&, Time due, Time cycle)  a token, which may have waited; told before the access
 ///     void waits_for_room(Port const&)  for a token in a flushing pipeline, whatever else it waits for
+///     bool choose(Operation const&)  what a process that makes attempts says; false: it waits
 template <class Process, class Port> class ProcessRules {
   public:
     using Line = typename Port::Line;
@@ -91,7 +92,8 @@ template <class Process, class Port> class ProcessRules {
     LoopPlan const& plan() const { return *plan_; }
     /// The accesses of the step that a process has stopped in front of which goes step by step.
     Ports step_at_hand() const {
-        bool const is_in_pipeline = state_.in_loop && !plan_->aligned && state_.pipeline.open;
+        bool const is_in_pipeline =
+            state_.in_loop && !plan_->aligned && state_.pipeline.open && state_.pipeline.phase < plan_->phases.size();
         return is_in_pipeline ? ports_in(plan_->phases[state_.pipeline.phase]) : Ports(log_.front().ports());
     }
     /// No access to come is before this cycle: the local time, less what the process goes back when it leaves a loop
@@ -148,7 +150,10 @@ template <class Process, class Port> class ProcessRules {
         Operation const operation = log_.whole_front();
         switch (operation.kind()) {
             case Kind::wait:
-                if (!operation.is_plain_wait())
+                if (operation.is_choice()) {
+                    if (!self().choose(operation))
+                        return false;
+                } else if (!operation.is_plain_wait())
                     await(operation);
                 else if (!flushes())
                     pass(operation.count());
@@ -503,27 +508,41 @@ template <class Process, class Port> class ProcessRules {
     /// waits in one of them.
     bool pass_phases(Ports::Number ports, bool is_counted) {
         PipelinePosition& pipeline = state_.pipeline;
-        if (!pipeline.open) {
-            if (is_counted)
-                self().iterates(state_.iterations, 1);
-            bool const is_like_last = pipeline.iteration > 0 && state_.delayed(1) == ports;
-            pipeline.alike = is_like_last ? pipeline.alike + 1 : 1;
-            state_.delayed(0) = ports;
-            pipeline.open = true;
-            pipeline.phase = 0;
-            pipeline.offset = 0;
-        }
+        if (!pipeline.open)
+            open_iteration(ports, is_counted);
+        else if (state_.delayed(0) != ports)  // part of which has been told
+            state_.delayed(0) = (Ports(state_.delayed(0)) | Ports(ports)).number();
+        if (!pass_phases_to(plan_->ii))
+            return false;
+        pass(plan_->ii - pipeline.offset);
+        pipeline.open = false;
+        ++pipeline.iteration;
+        return true;
+    }
+    void open_iteration(Ports::Number ports, bool is_counted) {
+        PipelinePosition& pipeline = state_.pipeline;
+        if (is_counted)
+            self().iterates(state_.iterations, 1);
+        bool const is_like_last = pipeline.iteration > 0 && state_.delayed(1) == ports;
+        pipeline.alike = is_like_last ? pipeline.alike + 1 : 1;
+        state_.delayed(0) = ports;
+        pipeline.open = true;
+        pipeline.phase = 0;
+        pipeline.offset = 0;
+    }
+    /// Those that are not behind a step of the iteration.
+    bool pass_phases_to(Cycles last) {
+        PipelinePosition& pipeline = state_.pipeline;
         for (; pipeline.phase < plan_->phases.size(); ++pipeline.phase) {
             LoopPhase const& phase = plan_->phases[pipeline.phase];
+            if (phase.offset > last)
+                return true;
             pass(phase.offset - pipeline.offset);
             pipeline.offset = phase.offset;
             Ports const step = ports_in(phase);
             if (!step.is_empty() && !perform(step.number()))
                 return false;
         }
-        pass(plan_->ii - pipeline.offset);
-        pipeline.open = false;
-        ++pipeline.iteration;
         return true;
     }
 

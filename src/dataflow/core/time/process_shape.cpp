@@ -31,7 +31,7 @@ LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting
     std::vector<Access> const accesses = accesses_of(loop);
     Cycles const first = first_stage(accesses);
     fill = loop.entry_states + first;
-    aligned = loop.reads.empty() || loop.writes.empty();
+    aligned = (loop.reads.empty() || loop.writes.empty()) && !loop.makes_attempts;
     std::map<Cycles, LoopPhase> phase_at;
     for (Access const& access : accesses) {
         Cycles const behind = access.stage - first;
@@ -46,6 +46,14 @@ LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting
     drain = static_cast<std::int64_t>(loop.depth + loop.exit_states) - static_cast<std::int64_t>(ii + first);
     while (delay_line_length <= longest_lag)
         delay_line_length *= 2;
+}
+
+std::optional<Cycles> LoopPlan::step_of(unsigned port) const {
+    for (LoopPhase const& phase : phases)
+        for (auto const& [number, lag] : phase.ports)
+            if (number == port)
+                return lag * ii + phase.offset;
+    return std::nullopt;
 }
 
 ProcessShape ProcessShape::fed(unsigned stream_port) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,8 @@ struct LoopShape {
     /// By number of a dependence: the fewest steps from the begin of an iteration to that of one that accesses what it
     /// writes. 1: nobody waits. Empty: for none; otherwise iterations read FIFOs in their first step, and write none.
     std::vector<Cycles> interlock_spans;
-    bool uses_memory = false;  ///< each iteration takes a token of the process's memory stream, in its first step
+    bool makes_attempts = false;  ///< its iterations may access some of those ports without waiting
+    bool uses_memory = false;     ///< each iteration takes a token of the process's memory stream, in its first step
 };
 
 /// What leaving a loop adds to its counters.
@@ -59,6 +61,8 @@ struct LoopPhase {
 /// read and to write.
 struct LoopPlan {
     explicit LoopPlan(LoopShape const& loop);
+    /// Steps from an iteration's first to the one that accesses a port; none: it does not.
+    std::optional<Cycles> step_of(unsigned port) const;
 
     Cycles ii = 1;
     Cycles fill = 0;         ///< steps before the first access of the first iteration

@@ -85,7 +85,8 @@ ProcessTiming::Status ProcessTiming::front() {
 }
 
 unsigned ProcessTiming::missing_port() const {
-    if (flushes() || ports_[blocking_port_].fifo->is_memory())
+    bool const is_late = !log_.exhausted() && log_.begin()->is_choice() && log_.begin()->ports() != 0;
+    if (flushes() || is_late || ports_[blocking_port_].fifo->is_memory())
         return blocking_port_;
     unsigned missing = blocking_port_;
     step_at_hand().each([&](unsigned port) {
@@ -203,10 +204,12 @@ void ProcessTiming::charge(ProcessPort const& port, Cycles stall) {
 void ProcessTiming::performs(Ports::Number ports, Cycles arrival) {
     if (observer_ != nullptr)
         observer_->accessed(*this, Ports(ports), state_.time);
+    if (makes_attempts_)
+        check_failures(ports);
     if (has_accessed())
         return;
     figures_.has_accessed = true;
-    by_steps_ = observer_ != nullptr;
+    by_steps_ = observer_ != nullptr || makes_attempts_;
     bool const waits_for_memory = stream_ != nullptr && !stream_->is_write() && Ports(ports).has(stream_port_);
     figures_.idle_before_cycles = arrival == 0 && !waits_for_memory ? state_.time : 0;
 }
@@ -256,6 +259,7 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
     charged_until_ = other.charged_until_;
     starving_port_ = other.starving_port_;
     starving_with_ = other.starving_with_;
+    makes_attempts_ = other.makes_attempts_;
     set_observer(observer_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,8 @@ struct ProcessFigures {
     Cycles awaited_setup_cycles = 0;
     Cycles idle_before_cycles = 0;
     std::vector<Cycles> waits_before;  ///< by port: before the first access
+    /// By port, behind attempts that have found nothing and no access since: the cycle after the last; 0: none.
+    std::vector<Cycles> failed_before;
     bool has_accessed = false;
     std::uint64_t loops_entered = 0;
     std::vector<LoopCounters> loops;
@@ -181,7 +184,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     /// From now on, goes step by step and tells the observer. Null: no longer.
     void set_observer(StepObserver* observer) {
         observer_ = observer;
-        by_steps_ = observer != nullptr || !figures_.has_accessed;
+        by_steps_ = observer != nullptr || !figures_.has_accessed || makes_attempts_;
     }
     /// From now on, tells what decides its times. Null: no longer.
     void set_trail(Trail* trail) { trail_ = trail; }
@@ -222,6 +225,16 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     SourceSite const& port_site(unsigned port) const { return port_sites_[port]; }
     /// Of what the process is at, which waits for a port.
     SourceSite site_at_hand(unsigned port) const { return in_loop() ? loop_sites_[state_.loop] : port_sites_[port]; }
+
+    /// Whether an attempt finds room, or a token, now. All that happens before has been told.
+    bool found_at(unsigned port) const;
+    /// An attempt that was told to find something, or nothing, where it does not.
+    struct Deviation {
+        unsigned port = 0;
+        Cycles cycle = 0;
+    };
+    /// The first that is known of; `is_over`: all that others do has been told.
+    std::optional<Deviation> deviation(bool is_over) const;
 
     /// For who remembers answers: see lookup_view.hpp.
     class View;
@@ -274,6 +287,15 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     void let_bubbles_in(ProcessPort const& port, Cycles bubbles, Cycles from);
     void lets_out(ProcessPort const& port, Cycles due, Cycles cycle);
     void waits_for_room(ProcessPort const& /*port*/) const {}
+    bool choose(Operation const& operation);
+    bool add_ports(Ports::Number ports);
+    bool reach_step(Cycles step);
+    void open_window();
+    bool end_window();
+    bool attempt(Operation const& operation);
+    bool reach_attempt(unsigned port, std::uint64_t behind);
+    void check_failures(Ports::Number ports);
+    void deviates(unsigned port);
     void add_stall(ProcessPort const& port, Cycles stall);
 
     std::string name_;
@@ -286,7 +308,9 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     MemoryStream* stream_ = nullptr;
     unsigned stream_port_ = 0;
     StepObserver* observer_ = nullptr;
-    bool by_steps_ = true;  ///< until the first access; always when observed
+    bool by_steps_ = true;  ///< until the first access; always when observed, and from the first attempt on
+    bool makes_attempts_ = false;
+    std::optional<Deviation> deviation_;
     Cycles arrival_ = 0;
     Cycles charged_until_ = never;
 

@@ -170,6 +170,7 @@ class MachineReader {
         if (described == machine_.loops.end())
             throw std::invalid_argument("unknown loop " + shape.name);
         shape.interlock_spans = described->shape().interlock_spans;
+        shape.makes_attempts = described->makes_attempts;
         for (Json const& write : json.at("writes")) {
             auto const port = write.get<unsigned>();
             if (port >= process.port_count() || !process.writes(port))

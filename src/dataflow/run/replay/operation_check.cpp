@@ -13,7 +13,8 @@ bool OperationCheck::accepts(Operation const& operation) {
         return false;
     switch (operation.kind()) {
         case Kind::wait:
-            return operation.all_ports() == 0 && accepts_wait(operation);
+            return operation.is_choice() ? accepts_choice(operation)
+                                         : operation.all_ports() == 0 && accepts_wait(operation);
         case Kind::step:
             return !state_.in_loop && operation.ports() != 0 && operation.tail_ports() == 0;
         case Kind::enter:
@@ -69,6 +70,21 @@ bool OperationCheck::accepts_wait(Operation const& operation) {
         return false;
     state_.setups += operation.gap() == Operation::setup_begin ? 1 : -1;
     return state_.in_loop && state_.setups >= 0;
+}
+
+/// What is between iterations of a loop that makes attempts, and attempts outside loops.
+bool OperationCheck::accepts_choice(Operation const& operation) const {
+    if (operation.tail_ports() != 0 || (state_.in_loop && !makes_attempts()))
+        return false;
+    if (operation.gap() == Operation::attempt)
+        return operation.ports() != 0 &&
+               timing::Ports::of(timing::Ports(operation.ports()).first()).number() == operation.ports();
+    return state_.in_loop && (operation.ports() == 0 || operation.gap() == Operation::ports_of_window);
+}
+
+bool OperationCheck::makes_attempts() const {
+    auto const& loops = process_->loops();
+    return state_.loop < loops.size() && loops[state_.loop].makes_attempts;
 }
 
 bool OperationCheck::accepts_await_write(Operation const& operation) const {

@@ -37,6 +37,8 @@ class OperationCheck {
     bool accepts_iterations(timing::Operation const& operation) const;
     bool accepts_mix(timing::Operation const& operation) const;
     bool accepts_wait(timing::Operation const& operation);
+    bool accepts_choice(timing::Operation const& operation) const;
+    bool makes_attempts() const;
     bool accepts_await_write(timing::Operation const& operation) const;
     bool prepares_beside_loops() const;
 

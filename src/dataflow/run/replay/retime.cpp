@@ -6,6 +6,7 @@
 #include "dataflow/core/machine/core_share.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/core_variant.hpp"
+#include "dataflow/run/replay/outcomes.hpp"
 #include "dataflow/run/replay/plain_reader.hpp"
 #include "dataflow/run/replay/replay.hpp"
 #include "dataflow/run/replay/retime_together.hpp"
@@ -60,6 +61,7 @@ Cores retime_cores(ScriptedRun const& run, Following following, Machine const& m
             std::make_unique<Replay>(source, plain_reader(run), share, *cores.back(), run.lead(), options.leaves));
     }
     feed_all(replays, answers.get());
+    require_outcomes(cores, options.leaves == nullptr);
     return cores;
 }
 

@@ -11,6 +11,7 @@
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/core_variant.hpp"
 #include "dataflow/run/replay/critical_path_of.hpp"
+#include "dataflow/run/replay/outcomes.hpp"
 #include "dataflow/run/replay/plain_reader.hpp"
 #include "dataflow/run/replay/sample_cutter.hpp"
 #include "dataflow/run/replay/scripted_core.hpp"
@@ -105,6 +106,7 @@ class Together {
     }
 
     RunStatistics statistics() const {
+        require_outcomes(cores_, true);
         std::vector<FinishedCore> finished;
         for (std::size_t core = 0; core < cores_.size(); ++core)
             finished.push_back({shares_[core], *cores_[core], run_.run().counters.data() + shares_[core].first});
@@ -114,7 +116,10 @@ class Together {
         return statistics;
     }
 
-    Cores take_cores() { return std::move(cores_); }
+    Cores take_cores() {
+        require_outcomes(cores_, options_.leaves == nullptr);
+        return std::move(cores_);
+    }
     /// It may have served memory in another order than there is: to be done again without scripts.
     bool is_in_doubt() const {
         return std::any_of(scripted_.begin(), scripted_.end(),

@@ -23,11 +23,12 @@ void add_file(std::filesystem::path const& path, Fnv1a& hash) {
 }  // namespace
 
 PointIdentity Identifier::identity(RunConfig const& config) {
+    bool const depends_on_time = makes_attempts(machine_of(config));
     Fnv1a point, function;
     for (Key const& key : figure_keys()) {
         std::string const line = key.name() + "=" + text_of(key, config) + "\n";
         point.add(line);
-        if (!is_retimable(key, config))
+        if (depends_on_time || !is_retimable(key, config))
             function.add(line);
     }
     return {hexadecimal(point), hexadecimal(function)};

@@ -1,0 +1,152 @@
+#include <algorithm>
+
+#include "dataflow/core/time/process_timing.hpp"
+
+namespace dataflow::timing {
+
+// What a process says that makes attempts (docs/timing-model.md#non-blocking-accesses). Their outcomes are told: here
+// they get their cycles, and whatever would have come out otherwise in those is noted.
+
+bool ProcessTiming::choose(Operation const& operation) {
+    makes_attempts_ = by_steps_ = true;
+    switch (operation.gap()) {
+        case Operation::ports_of_window:
+            return add_ports(operation.ports());
+        case Operation::step_to_reach: {
+            Cycles const step = operation.count() / 2;
+            bool const stops_before = operation.count() % 2 != 0 && step > 0;
+            if (!reach_step(stops_before ? step - 1 : step))
+                return false;
+            if (stops_before && state_.pipeline.offset < step) {
+                pass(step - state_.pipeline.offset);
+                state_.pipeline.offset = step;
+            }
+            return true;
+        }
+        case Operation::end_of_window:
+            return end_window();
+        default:
+            return attempt(operation);
+    }
+}
+
+/// What is told of the step at hand, behind an attempt there, is done at once.
+bool ProcessTiming::add_ports(Ports::Number ports) {
+    PipelinePosition const& pipeline = state_.pipeline;
+    if (!pipeline.open) {
+        open_iteration(ports, true);
+        return true;
+    }
+    Cycles const next = pipeline.phase < plan_->phases.size() ? plan_->phases[pipeline.phase].offset : plan_->ii;
+    Ports const before(state_.delayed(0));
+    Ports late;
+    Ports(ports).each([&](unsigned port) {
+        Cycles const step = plan_->step_of(port).value_or(0);
+        if (before.has(port) || step >= next)
+            return;
+        late = late | Ports::of(port);
+        if (step < pipeline.offset)
+            deviates(port);
+    });
+    if (!late.is_empty() && !perform(late.number()))
+        return false;
+    state_.delayed(0) = (before | Ports(ports)).number();
+    return true;
+}
+
+/// To the step, without what may be told of it yet.
+bool ProcessTiming::reach_step(Cycles step) {
+    PipelinePosition& pipeline = state_.pipeline;
+    open_window();
+    if (!pass_phases_to(step))
+        return false;
+    if (step > pipeline.offset)
+        pass(step - pipeline.offset);
+    pipeline.offset = std::max(step, pipeline.offset);
+    return true;
+}
+
+/// Behind the last iteration: only what those before it have left to do.
+void ProcessTiming::open_window() {
+    if (state_.pipeline.open)
+        return;
+    if (state_.pipeline.drain_left == plan_->longest_lag)
+        mark_loop(Region::Part::drain);
+    open_iteration(0, false);
+}
+
+bool ProcessTiming::end_window() {
+    open_window();
+    if (!pass_phases(0, false))
+        return false;
+    state_.pipeline.drain_left -= std::min<std::uint64_t>(state_.pipeline.drain_left, 1);
+    return true;
+}
+
+bool ProcessTiming::attempt(Operation const& operation) {
+    unsigned const number = Ports(operation.ports()).first();
+    ProcessPort const& port = ports_[number];
+    if (in_loop() && !reach_attempt(number, operation.iterations_behind()))
+        return false;
+    bool const is_known = port.end.known() > 0;
+    if (operation.succeeded() && !is_known) {
+        wait_for(port);
+        return false;
+    }
+    if (is_known && (port.end.earliest() <= state_.time) != operation.succeeded())
+        deviates(number);
+    if (!operation.succeeded()) {
+        figures_.failed_before.resize(ports_.size());
+        figures_.failed_before[number] = state_.time + 1;
+    } else if (!operation.only_asked()) {
+        state_.time = std::max(state_.time, port.end.earliest());
+        performs(operation.ports(), state_.time);
+        port.end.access(state_.time);
+        note(port, 1);
+    }
+    return true;
+}
+
+/// The step of a port, in an iteration so many after the one that makes the attempt.
+bool ProcessTiming::reach_attempt(unsigned port, std::uint64_t behind) {
+    std::optional<Cycles> const step = plan_->step_of(port);
+    if (!step || *step / plan_->ii != behind || (state_.pipeline.open && *step % plan_->ii < state_.pipeline.offset)) {
+        deviates(port);
+        return true;
+    }
+    return reach_step(*step % plan_->ii);
+}
+
+/// What attempts did not find must not have been there.
+void ProcessTiming::check_failures(Ports::Number ports) {
+    Ports(ports).each([this](unsigned port) {
+        if (port >= figures_.failed_before.size())
+            return;
+        if (ports_[port].end.earliest() < figures_.failed_before[port])
+            deviates(port);
+        figures_.failed_before[port] = 0;
+    });
+}
+
+void ProcessTiming::deviates(unsigned port) {
+    if (!deviation_)
+        deviation_ = Deviation{port, state_.time};
+}
+
+bool ProcessTiming::found_at(unsigned port) const {
+    FifoTiming::End const& end = ports_[port].end;
+    return end.known() > 0 && end.earliest() <= state_.time;
+}
+
+std::optional<ProcessTiming::Deviation> ProcessTiming::deviation(bool is_over) const {
+    if (deviation_)
+        return deviation_;
+    for (unsigned port = 0; port < figures_.failed_before.size(); ++port)
+        if (ports_[port].end.known() > 0 && ports_[port].end.earliest() < figures_.failed_before[port])
+            return Deviation{port, figures_.failed_before[port] - 1};
+    if (is_over && !log_.exhausted() && log_.begin()->is_choice() && log_.begin()->gap() == Operation::attempt)
+        return Deviation{Ports(log_.begin()->ports()).first(), state_.time};
+    return std::nullopt;
+}
+
+}  // namespace dataflow::timing

@@ -1,0 +1,105 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "channels/clocked_fifo.hpp"
+#include "channels/sample_module.hpp"
+#include "channels/simulate.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/core/machine/core_of.hpp"
+#include "dataflow/run/replay/retime.hpp"
+#include "faster/dataflow_names.hpp"
+#include "support/forked_bytes.hpp"
+
+namespace faster::chance {
+
+// A design of two modules, a writer and a reader, that do whatever a test has them do.
+
+using Token = std::uint32_t;
+
+/// What a module does for a sample.
+using Work = std::function<void(ProcessClock& clock, ClockedFifo<Token>& fifo)>;
+
+class Worker : public SampleModule {
+  public:
+    Worker(sc_core::sc_module_name const& name, DataflowCore& core, Work work)
+        : SampleModule(name, core), its_core_(core), work_(std::move(work)) {}
+
+  private:
+    void work(std::size_t /*sample*/) override { work_(clock_, its_core_.fifo<Token>("f")); }
+
+    DataflowCore& its_core_;
+    Work work_;
+};
+
+struct Pair {
+    ModuleDescription writer{"writer"}, reader{"reader"};
+    Work writes, reads;
+};
+
+class PairCore : public DataflowCore {
+  public:
+    PairCore(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> const& machine, CoreShare share,
+             TimeBase const& time_base, Pair const& pair)
+        : DataflowCore(name, machine, share, time_base) {
+        for (MachineFifo const& fifo : machine->fifos)
+            make_fifo<Token>(fifo.name);
+        workers_.push_back(std::make_unique<Worker>("writer", *this, pair.writes));
+        workers_.push_back(std::make_unique<Worker>("reader", *this, pair.reads));
+    }
+
+  private:
+    std::vector<std::unique_ptr<Worker>> workers_;
+};
+
+/// Ten tokens, by loops.
+inline Pair sound_pair() {
+    Pair pair;
+    pair.writer.writes_to("f").of_bits(32).leaves("send", 1);
+    pair.writer.loop("send").of_depth(3);
+    pair.reader.reads_from("f").taken("receive", 0);
+    pair.reader.loop("receive").of_depth(3);
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("send", 10, [&](std::uint64_t i) { fifo.write(static_cast<Token>(i)); });
+    };
+    pair.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("receive", 10, [&](std::uint64_t) { fifo.read(); });
+    };
+    return pair;
+}
+
+/// What the modules of a run have to say; behind its total.
+inline std::string& notes() {
+    static std::string text;
+    return text;
+}
+
+/// What is thrown; otherwise the total, or how many are stuck. `retimed_with`: of a retiming of the run with those.
+inline std::string outcome_of(Pair const& pair, Engine engine, MachineSettings const& settings = {},
+                              MachineSettings const* retimed_with = nullptr) {
+    return testing::forked_bytes([&]() -> std::string {
+        try {
+            auto const machine =
+                std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), settings));
+            DataflowAccelerator accelerator("accelerator", machine, 1, engine,
+                                            [&](char const* name, std::shared_ptr<Machine const> const& of,
+                                                CoreShare share, TimeBase const& time_base) {
+                                                return std::make_unique<PairCore>(name, of, share, time_base, pair);
+                                            });
+            replay::RecordedRun recorded;
+            SimulationOptions options;
+            options.recorded = retimed_with != nullptr ? &recorded : nullptr;
+            RunStatistics run = simulate(accelerator, options);
+            if (retimed_with != nullptr)
+                run = replay::retime(recorded, make_machine(core_of({pair.writer, pair.reader}), *retimed_with));
+            return run.deadlocked() ? "stuck " + std::to_string(run.stuck.size())
+                                    : std::to_string(run.total_cycles) + leftover_tokens(run) + notes();
+        } catch (InputError const& error) {
+            return error.what();
+        }
+    });
+}
+
+}  // namespace faster::chance

@@ -456,7 +456,7 @@ TEST_CASE("Wrong usage is refused in one line") {
     check_refused(workspace, {"fly"},
                   {"unknown command fly",
                    "run, check, record, explore, whatif, sensitivities, size-fifos, compare, cosim, "
-                   "sweep, edge-quality, grip, estimate, evaluate, experiment, keys"});
+                   "sweep, schedule, edge-quality, grip, estimate, evaluate, experiment, keys"});
     check_refused(workspace, {"run"}, {"config"});
     check_refused(workspace, {"record", "config.yaml"}, {"--out"});
     check_refused(workspace, {"run", "config.yaml", "--speed", "9"}, {"--speed"});

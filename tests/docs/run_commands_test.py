@@ -68,6 +68,7 @@ NOT_RUN = {
     "scripts/next-architecture.sh": "half an hour",
     "scripts/mutate.py": "an hour; its list is tested",
     "scripts/table-6-1.sh": "a quarter of an hour",
+    "hls_pipeline ": "in the folder of the example: tests/examples/tutorial_test.cpp",
     "configs/sweeps/zcu102.yaml": "half an hour",
 }
 

@@ -303,7 +303,7 @@ TEST_CASE("The arbiter lets producers take turns, or the first one pass", "[exam
     CHECK_THAT(example.text("out/samples.csv"), Contains(",1,199\n"));
 }
 
-TEST_CASE("What an arbiter finds is not retimed if it might find something else; a sweep runs it", "[examples]") {
+TEST_CASE("What an arbiter finds is not retimed if it might find something else, but a sweep runs it", "[examples]") {
     Example const example("arbiter");
     example.cycles({}, "run");
     example.run({}, {"--events", "events"});

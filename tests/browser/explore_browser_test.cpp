@@ -172,6 +172,9 @@ TEST_CASE("The page sizes FIFOs, and fits a phone", "[browser]") {
         "[...document.querySelectorAll('.step')].some((b) => /[1-9]/.test(b.textContent))", background));
     page.browser().click("#graph-box .fifo");  // shows its keys alone
     CHECK(page.browser().becomes_true("document.querySelectorAll('#key-list .key').length <= 4"));
+    CHECK(page.browser().value("document.querySelectorAll('#graph .source').length") == 2);  // of writer and reader
+    CHECK(page.browser().becomes_true(
+        "/described in .*src.modules.*cpp:[0-9]+/.test(document.querySelector('#graph .source').textContent)"));
     page.check_soundness();
 }
 

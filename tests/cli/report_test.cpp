@@ -97,6 +97,33 @@ TEST_CASE("A Graphviz that fails fails the report in one line, and without any t
     CHECK(entries_in(workspace.folder().path()) == 3);  // with bin
 }
 
+/// A run whose sources can be looked at there.
+CommandResult run_with_source_link(Workspace const& workspace, std::string const& link) {
+    return run_command(
+        "/usr/bin/env",
+        {"FASTER_SOURCE_LINK=" + link, FASTER_SIM_BINARY, "run", "config.yaml", "--report", "report.html"},
+        workspace.folder().path());
+}
+
+TEST_CASE("The graph of a report knows the lines that describe the modules, and where they can be looked at") {
+    Workspace const workspace;
+    require_done(run_with_source_link(workspace, "https://example.org/blob/main/{file}#L{line}"));
+    Json const source = json_element(workspace.text("report.html"), "data")["graph"]["sources"]["rasterizer"];
+    std::string const file = "src/modules/rasterizer/rasterizer.cpp";
+    CHECK(source["file"] == file);
+    std::string const line = std::to_string(source["line"].get<int>());
+    CHECK(source["link"] == "https://example.org/blob/main/" + file + "#L" + line);
+    CHECK_THAT(lines_of(content_of(fs::path(FASTER_SOURCE_DIR) / file)).at(std::stoul(line) - 1),
+               Contains("ModuleDescription"));
+}
+
+TEST_CASE("An address that is none of a source line is refused in one line") {
+    Workspace const workspace;
+    auto const link = GENERATE(as<std::string>(), "javascript:alert({file})", "https://example.org/", "{file}");
+    check_bad_input(run_with_source_link(workspace, link), {"FASTER_SOURCE_LINK: '" + link + "'"});
+    CHECK(entries_in(workspace.folder().path()) == 1);
+}
+
 TEST_CASE("The HTML report and summary.json agree") {
     Workspace const workspace;
     require_done(workspace.run({"--out", "out", "--report", "report.html"}));

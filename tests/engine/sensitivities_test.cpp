@@ -68,11 +68,11 @@ std::size_t check_all_steps(Trial const& trial, Engine engine) {
 
 TEST_CASE("A step of any timing key changes the total as a run with it says", "[sensitivities]") {
     std::size_t changes = 0;
-    for (std::uint64_t seed = 8000; seed < 8006; ++seed) {
+    for (std::uint64_t seed = 8000; seed < 8003; ++seed) {
         CAPTURE(seed);
         changes += check_all_steps(random_trial(seed), seed % 2 == 0 ? Engine::decoupled : Engine::lockstep);
     }
-    CHECK(changes > 50);
+    CHECK(changes > 25);
 }
 
 TEST_CASE("So it does where one loop prepares and scans all triangles", "[sensitivities]") {

@@ -206,7 +206,7 @@ TEST_CASE("Unlimited FIFOs beside others take as long as those with room for eve
 }
 
 TEST_CASE("What is found does not depend on how many jobs look for it", "[sizing]") {
-    for (std::uint64_t seed = 240; seed < 248; ++seed) {
+    for (std::uint64_t seed = 240; seed < 244; ++seed) {
         CAPTURE(seed);
         Case const one = random_case(seed);
         SizingOptions options = within(static_cast<double>(seed % 3) * 4);

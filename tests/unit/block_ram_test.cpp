@@ -1,4 +1,4 @@
-#include "dataflow/core/machine/block_ram.hpp"
+#include "dataflow/base/device/block_ram.hpp"
 
 #include <catch2/catch.hpp>
 

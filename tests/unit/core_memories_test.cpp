@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "dataflow/core/machine/block_ram.hpp"
+#include "dataflow/base/device/block_ram.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/inlier_unit/inlier_unit.hpp"
 #include "support/raster_machine.hpp"

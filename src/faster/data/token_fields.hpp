@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include "dataflow/core/machine/token_field.hpp"
+#include "dataflow/base/token_field.hpp"
 #include "faster/data/buffer_tokens.hpp"
 #include "faster/data/tokens.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
+#include "dataflow/base/device/resources.hpp"
 #include "dataflow/core/machine/machine.hpp"
-#include "dataflow/core/machine/resources.hpp"
 #include "faster/config/accelerator_config.hpp"
 #include "faster/dataflow_names.hpp"
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/base/device/resources.hpp"
 #include "dataflow/core/machine/machine.hpp"
-#include "dataflow/core/machine/resources.hpp"
 #include "faster/config/accelerator_config.hpp"
 #include "faster/dataflow_names.hpp"
 

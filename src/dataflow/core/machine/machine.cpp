@@ -120,6 +120,7 @@ class Maker {
         process.name = module.name;
         process.stamps_look_back = module.stamps_look_back;
         process.call_start = {settings_.start(module.name), settings_.calls == CallOrder::in_turn};
+        process.described_at = module.described_at;
         decide(process, first_failing(module.conditions));
         machine_.processes.push_back(std::move(process));
         machine_.line_buffers.insert(machine_.line_buffers.end(), module.line_buffers.begin(),

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "dataflow/base/device/block_ram.hpp"
 #include "dataflow/core/machine/bank_partition.hpp"
-#include "dataflow/core/machine/block_ram.hpp"
 #include "dataflow/core/machine/machine_settings.hpp"
 #include "dataflow/core/machine/module_description.hpp"
 #include "dataflow/core/memory/external_memory.hpp"
@@ -45,6 +45,7 @@ struct MachineProcess {
     std::map<std::string, std::uint64_t, std::less<>> numbers;  ///< that decide what it does
     std::vector<MachineEnd> ends;    ///< of the FIFOs that are there, in the program order of a step
     std::vector<std::size_t> loops;  ///< numbers of those that are there, in order
+    SourceSite described_at;         ///< no file: nobody knows
 };
 
 struct MachineFifo {

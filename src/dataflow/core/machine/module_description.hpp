@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "dataflow/base/cycles.hpp"
+#include "dataflow/base/device/resources.hpp"
+#include "dataflow/base/source_site.hpp"
 #include "dataflow/core/machine/access_pattern.hpp"
-#include "dataflow/core/machine/resources.hpp"
 #include "dataflow/core/memory/external_memory.hpp"
 
 namespace dataflow {
@@ -207,7 +208,9 @@ struct NumberDescription {
 /// Ends stand in the program order of a step.
 class ModuleDescription {
   public:
-    explicit ModuleDescription(std::string module) : name(std::move(module)) {}
+    /// `site`: the line of the source where the module is described.
+    explicit ModuleDescription(std::string module, SourceSite site = SourceSite::here())
+        : name(std::move(module)), described_at(site) {}
 
     FifoEnd& reads_from(std::string fifo) { return add_end(std::move(fifo), false); }
     FifoEnd& writes_to(std::string fifo) { return add_end(std::move(fifo), true); }
@@ -230,6 +233,7 @@ class ModuleDescription {
     void only_if(Condition condition) { conditions.push_back(std::move(condition)); }
 
     std::string name;
+    SourceSite described_at;
     Conditions conditions;
     std::vector<FifoEnd> ends;
     std::vector<StreamDescription> streams;

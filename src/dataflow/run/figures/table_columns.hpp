@@ -4,7 +4,7 @@
 
 #include "dataflow/base/column.hpp"
 #include "dataflow/base/cycles.hpp"
-#include "dataflow/core/machine/block_ram.hpp"
+#include "dataflow/base/device/block_ram.hpp"
 #include "dataflow/core/machine/fifo_kind.hpp"
 
 namespace dataflow {

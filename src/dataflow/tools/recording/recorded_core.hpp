@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "dataflow/base/token_field.hpp"
 #include "dataflow/core/machine/machine.hpp"
-#include "dataflow/core/machine/token_field.hpp"
 #include "dataflow/tools/recording/event_spool.hpp"
 #include "dataflow/tools/recording/memory_activity.hpp"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/base/token_field.hpp"
 #include "dataflow/core/machine/machine.hpp"
-#include "dataflow/core/machine/token_field.hpp"
 #include "dataflow/tools/recording/waveform_file.hpp"
 
 namespace dataflow::recording {

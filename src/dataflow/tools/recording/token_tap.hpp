@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "dataflow/core/machine/token_field.hpp"
+#include "dataflow/base/token_field.hpp"
 
 namespace dataflow::recording {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "dataflow/core/machine/primitive_shapes.hpp"
+#include "dataflow/base/device/primitive_shapes.hpp"
 
 namespace dataflow {
 

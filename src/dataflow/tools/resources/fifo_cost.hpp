@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 
+#include "dataflow/base/device/resources.hpp"
 #include "dataflow/core/machine/fifo_kind.hpp"
-#include "dataflow/core/machine/resources.hpp"
 
 namespace dataflow {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/base/device/resources.hpp"
 #include "dataflow/core/machine/machine.hpp"
-#include "dataflow/core/machine/resources.hpp"
 
 namespace dataflow {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dataflow/core/machine/unit_path.hpp"
+#include "dataflow/base/device/unit_path.hpp"
 
 namespace dataflow {
 

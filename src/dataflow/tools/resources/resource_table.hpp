@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "dataflow/base/device/resources.hpp"
 #include "dataflow/core/machine/fifo_kind.hpp"
-#include "dataflow/core/machine/resources.hpp"
 
 namespace dataflow {
 

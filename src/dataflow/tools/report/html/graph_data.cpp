@@ -1,12 +1,17 @@
 #include "dataflow/tools/report/html/graph_data.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
 #include "dataflow/base/program_output.hpp"
 
 namespace dataflow::report {
@@ -24,7 +29,7 @@ class DotGraph {
   public:
     explicit DotGraph(char const* direction) {
         text_ = fmt::format(
-            "digraph{{rankdir={};nodesep=0.25;ranksep=0.3;node[shape=box,fixedsize=true];edge[fontsize=9,"
+            "digraph{{rankdir={};nodesep=0.25;ranksep=0.3;node[shape=box,fixedsize=true];edge[fontsize=11,"
             "fontname=\"Courier\",arrowsize=0.7];\n",
             direction);
     }
@@ -168,6 +173,45 @@ Json fifo_edges(Machine const& machine) {
     return rows;
 }
 
+void put_for(std::string& text, std::string_view place, std::string const& value) {
+    if (std::size_t const at = text.find(place); at != std::string::npos)
+        text.replace(at, place.size(), value);
+}
+
+/// $FASTER_SOURCE_LINK, which tells where sources can be looked at: the address of a line. Empty: nowhere.
+std::string source_link() {
+    constexpr std::array schemes{"https://", "http://", "file://", "vscode://"};
+    char const* const set = std::getenv("FASTER_SOURCE_LINK");
+    std::string link = set == nullptr ? "" : set;
+    bool const is_address = std::any_of(schemes.begin(), schemes.end(),
+                                        [&link](std::string_view scheme) { return link.rfind(scheme, 0) == 0; });
+    if (!link.empty() && !(is_address && link.find("{file}") != std::string::npos))
+        throw InputError(
+            fmt::format("FASTER_SOURCE_LINK: '{}', expected an address that begins with {} and has {{file}} "
+                        "in it, and {{line}} if wanted",
+                        printable(link), fmt::join(schemes, ", ")));
+    return link;
+}
+
+/// Where each module is described: file and line, and the address of it if one is known.
+Json source_data(Machine const& machine) {
+    Json sources = Json::object();
+    std::string const link = source_link();
+    for (std::size_t const i : modules_of(machine)) {
+        SourceSite const& site = machine.processes[i].described_at;
+        if (*site.file == '\0')
+            continue;
+        Json& source = sources[machine.processes[i].name] = {{"file", site.file}, {"line", site.line}};
+        if (link.empty())
+            continue;
+        std::string address = link;
+        put_for(address, "{file}", site.file);
+        put_for(address, "{line}", std::to_string(site.line));
+        source["link"] = address;
+    }
+    return sources;
+}
+
 }  // namespace
 
 Json memory_data(Machine const& machine) {
@@ -186,11 +230,8 @@ Json graph_data(Machine const& machine) {
     Json processes = Json::array();
     for (std::size_t const i : modules_of(machine))
         processes.push_back(machine.processes[i].name);
-    return {{"processes", processes},
-            {"fifos", fifo_edges(machine)},
-            {"memories", memory_data(machine)},
-            {"wide", layout(machine, "LR")},
-            {"tall", layout(machine, "TB")}};
+    return {{"processes", processes},           {"sources", source_data(machine)}, {"fifos", fifo_edges(machine)},
+            {"memories", memory_data(machine)}, {"wide", layout(machine, "LR")},   {"tall", layout(machine, "TB")}};
 }
 
 }  // namespace dataflow::report

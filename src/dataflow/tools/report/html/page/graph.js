@@ -13,29 +13,38 @@ function curve_path({ points, tip }) {
   return `M${first}C${rest.join(" ")}` + (tip ? `L${tip[0]} ${tip[1]}` : "");
 }
 
+const graph_margin = 4;
+
 /// What the graph shows besides its parts: `modules` with their cycles, `fifos` summed over cores, `lane_cycles` of each
 /// module, rows of a critical `path` (or null); of a deadlock, who waits in the circle, `stuck`, and who waits at all,
 /// `waiting` (or null).
 class DataflowGraph {
-  constructor(box, selected) {
+  constructor(box, selected = () => {}) {
     this.box = box;
     this.selected = selected;
-    this.is_narrow = matchMedia("(max-width: 40rem)");
-    this.is_narrow.addEventListener("change", () => { if (this.figures) this.show(this.figures); });
+    this.source = element("p", { class: "note", "aria-live": "polite" });
+    box.after(this.source);
+    new ResizeObserver(() => { if (this.figures && this.layout() !== this.drawn) this.show(this.figures); }).observe(box);
   }
 
   static is_there() {
     return Boolean(data.graph && data.graph.wide);
   }
 
+  /// From left to right if there is room for that, else what is less wide. Neither is drawn smaller than it can be read.
+  layout() {
+    const { wide, tall } = data.graph;
+    return wide.width + 2 * graph_margin <= this.box.clientWidth || wide.width <= tall.width ? wide : tall;
+  }
+
   show(figures) {
     this.figures = figures;
-    const layout = this.is_narrow.matches ? data.graph.tall : data.graph.wide;
+    const layout = this.drawn = this.layout();
     const svg = svg_element("svg", {
-      viewBox: `-4 -4 ${layout.width + 8} ${layout.height + 8}`, role: "group", "aria-label": "Dataflow graph", class: "graph",
+      viewBox: `${-graph_margin} ${-graph_margin} ${layout.width + 2 * graph_margin} ${layout.height + 2 * graph_margin}`, role: "group", "aria-label": "Dataflow graph", class: "graph",
     });
     svg.style.maxWidth = `${Math.round(layout.width * 1.5)}px`;
-    svg.style.minWidth = `${Math.round(Math.min(layout.width, 640) * 0.9)}px`;
+    svg.style.minWidth = `${Math.round(layout.width + 2 * graph_margin)}px`;
     for (const memory of data.graph.memories) this.add_links(svg, layout, memory);
     for (const name of Object.keys(layout.edges)) if (name.startsWith("memory:")) this.add_link(svg, layout.edges[name]);
     for (const fifo of data.graph.fifos) this.add_fifo(svg, layout, fifo);
@@ -47,15 +56,15 @@ class DataflowGraph {
     if (focused) for (const part of svg.querySelectorAll("[data-part]")) if (part.dataset.part === focused) part.focus();
   }
 
-  /// A group that says what it is, and can be chosen if somebody wants to know.
-  part(svg, kind, name, text) {
-    const group = svg_element("g", { class: kind, "data-part": `${kind}:${name}`, "aria-label": text, role: "img" });
-    group.append(svg_element("title", {}, text));
+  /// A group that says what it is. A click, or Enter, chooses it, and tells where `modules` are described.
+  part(svg, kind, name, text, modules) {
+    const group = svg_element("g", { class: kind, "data-part": `${kind}:${name}`, "aria-label": text, role: "button", tabindex: "0" });
+    group.append(svg_element("title", {}, [text, ...modules.filter((module) => data.graph.sources[module]).map(source_text)].join("\n")));
     svg.append(group);
-    if (!this.selected) return group;
-    group.setAttribute("role", "button");
-    group.setAttribute("tabindex", "0");
-    const choose = () => this.selected(kind, name);
+    const choose = () => {
+      this.show_sources(modules);
+      this.selected(kind, name);
+    };
     group.addEventListener("click", choose);
     group.addEventListener("keydown", (event) => {
       if (event.key !== "Enter" && event.key !== " ") return;
@@ -63,6 +72,14 @@ class DataflowGraph {
       choose();
     });
     return group;
+  }
+
+  show_sources(modules) {
+    const known = [...new Set(modules)].filter((module) => data.graph.sources[module]);
+    this.source.replaceChildren(...known.map((module) => {
+      const { link } = data.graph.sources[module];
+      return element("span", { class: "source" }, link ? element("a", { href: link }, source_text(module)) : source_text(module), " ");
+    }));
   }
 
   add_link(svg, edge) {
@@ -84,7 +101,7 @@ class DataflowGraph {
     const share = this.on_path(name);
     const waits = (this.figures.stuck || []).some((wait) => wait.process === name);
     const of_path = share > 0 ? `, ${decimal(100 * share, 1)} % of the critical path` : "";
-    const group = this.part(svg, "process", name, name + of_path);
+    const group = this.part(svg, "process", name, name + of_path, [name]);
     group.classList.toggle("critical", share >= 0.001);
     group.classList.toggle("stuck", waits);
     group.classList.toggle("waiting", (this.figures.waiting || []).some((wait) => wait.process === name));
@@ -117,7 +134,7 @@ class DataflowGraph {
     const [full, empty] = [share(row.full_stall_cycles), share(row.empty_stall_cycles)];
     const text = `${fifo}, from ${writer} to ${reader}: at most ${row.max_occupancy} of ${row.capacity} tokens, ` +
       `full for ${decimal(100 * full, 1)} % and empty for ${decimal(100 * empty, 1)} % of the time`;
-    const group = this.part(svg, "fifo", fifo, text);
+    const group = this.part(svg, "fifo", fifo, text, [writer, reader]);
     const waits = (this.figures.stuck || []).find((wait) => wait.fifo === fifo);
     const crossed = this.figures.path && this.figures.path.rows.some((one) => one.item === fifo && one.crossings > 0);
     group.classList.toggle("critical", Boolean(crossed));
@@ -147,7 +164,7 @@ class DataflowGraph {
   /// Name and most tokens, with the share of the capacity that those fill.
   add_gauge(group, label, row) {
     const [x, y] = label;
-    const width = Math.max(40, row.fifo.length * 5.6 + 6);
+    const width = Math.max(40, row.fifo.length * 6.4 + 6);
     const filled = row.capacity > 0 ? Math.min(1, row.max_occupancy / row.capacity) : 0;
     group.append(
       svg_element("rect", { x: x - width / 2, y: y - 9, width, height: 18, rx: 3, class: "gauge" }),
@@ -160,7 +177,7 @@ class DataflowGraph {
     const now = (this.figures.brams || []).find((row) => row.bram === bram) || { ports, banks };
     const of_banks = now.banks > 1 ? `${now.banks} banks of ` : "";
     const text = of_banks + count_of(now.ports, "port");
-    const group = this.part(svg, "bram", bram, `${bram} of ${owner}: ${text}`);
+    const group = this.part(svg, "bram", bram, `${bram} of ${owner}: ${text}`, [owner]);
     const crowded = this.figures.path && this.figures.path.rows.some((row) => row.item === bram && row.cause === "port_conflict");
     group.classList.toggle("critical", Boolean(crowded));
     group.append(svg_element("rect", { x: x - width / 2, y: y - height / 2, width, height, rx: 12 }),
@@ -171,6 +188,11 @@ class DataflowGraph {
     svg.append(svg_element("g", { class: "bram" }, svg_element("rect", { x: x - width / 2, y: y - height / 2, width, height, rx: 12 }),
       svg_element("text", { x, y: y + 4 }, "external memory")));
   }
+}
+
+function source_text(module) {
+  const { file, line } = data.graph.sources[module];
+  return `${module} is described in ${file}:${line}.`;
 }
 
 function graph_legend() {

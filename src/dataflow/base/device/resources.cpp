@@ -1,4 +1,4 @@
-#include "dataflow/core/machine/resources.hpp"
+#include "dataflow/base/device/resources.hpp"
 
 #include <algorithm>
 

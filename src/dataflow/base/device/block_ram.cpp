@@ -1,9 +1,9 @@
-#include "dataflow/core/machine/block_ram.hpp"
+#include "dataflow/base/device/block_ram.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "dataflow/core/machine/primitive_shapes.hpp"
+#include "dataflow/base/device/primitive_shapes.hpp"
 
 namespace dataflow {
 namespace {

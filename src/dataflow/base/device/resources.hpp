@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "dataflow/core/machine/block_ram.hpp"
-#include "dataflow/core/machine/unit_path.hpp"
+#include "dataflow/base/device/block_ram.hpp"
+#include "dataflow/base/device/unit_path.hpp"
 
 namespace dataflow {
 

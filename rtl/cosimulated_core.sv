@@ -20,6 +20,7 @@ module cosimulated_core (
     input  logic               edge_map_clears_on_read_out,
     input  logic               inlier_unit_clears_on_read_out,
     input  logic               has_line_buffers,
+    input  logic               counts_hidden,
     input  logic               fragment_loop_is_flattened,
     input  logic               forwards_depth_buffer,
     input  logic               reciprocals_squeeze,
@@ -55,7 +56,7 @@ module cosimulated_core (
     // Accesses of this cycle, and what is written
     output logic [FIFOS-1:0]   fifo_write,
     output logic [FIFOS-1:0]   fifo_read,
-    output logic signed [63:0] field[FIFOS][5],  // of its token, in the order of a recording
+    output logic signed [63:0] field[FIFOS][10],  // of its token, in the order of a recording
     output logic               maps_are_built,
     output logic               depth_buffer_is_drawn
 );
@@ -104,7 +105,9 @@ module cosimulated_core (
         bits_for = bits;
     endfunction
     wire [7:0] reciprocal_bits = 8'(area_reciprocal_fraction) + (8'(vertex_xy) << 1) + 8'd1;
-    wire [7:0] result_bits = (bits_for(18'(window) * 18'(window)) << 2) + 8'd32;
+    wire [7:0] pixel_bits = bits_for(18'(window) * 18'(window));
+    wire [7:0] hidden_bits = counts_hidden ? pixel_bits + (bits_for(18'(window)) << 2) : '0;
+    wire [7:0] result_bits = (pixel_bits << 2) + 8'd32 + hidden_bits;
     function automatic faster_pkg::fifo_t resolved(input fifo_number_t number, input logic [7:0] bits);
         logic is_small;
         logic is_memory;
@@ -131,6 +134,7 @@ module cosimulated_core (
         settings_asked_for.edge_map_clears_on_read_out = edge_map_clears_on_read_out;
         settings_asked_for.inlier_unit_clears_on_read_out = inlier_unit_clears_on_read_out;
         settings_asked_for.has_line_buffers = has_line_buffers;
+        settings_asked_for.counts_hidden = counts_hidden;
         settings_asked_for.fragment_loop_is_flattened = fragment_loop_is_flattened;
         settings_asked_for.forwards_depth_buffer = forwards_depth_buffer;
         settings_asked_for.reciprocals_squeeze = reciprocals_squeeze;
@@ -212,7 +216,7 @@ module cosimulated_core (
         fifo_read[F_OBSERVED_EDGE] = core.observed_edge_read;
         fifo_write[F_RESULT] = core.result_write;
         fifo_read[F_RESULT] = core.result_read;
-        for (int f = 0; f < FIFOS; ++f) for (int k = 0; k < 5; ++k) field[f][k] = '0;
+        for (int f = 0; f < FIFOS; ++f) for (int k = 0; k < 10; ++k) field[f][k] = '0;
         field[F_SAMPLE_VERTEX][0] = 64'(core.sample_vertex_in.sample);
         field[F_SAMPLE_VERTEX][1] = 64'(core.sample_vertex_in.centre_row);
         field[F_SAMPLE_VERTEX][2] = 64'(core.sample_vertex_in.centre_col);
@@ -252,6 +256,11 @@ module cosimulated_core (
         field[F_RESULT][2] = 64'(core.result_in.inlier);
         field[F_RESULT][3] = 64'(core.result_in.valid_edge);
         field[F_RESULT][4] = 64'(core.result_in.edge_inlier);
+        field[F_RESULT][5] = 64'(core.result_in.hidden.count);
+        field[F_RESULT][6] = 64'(core.result_in.hidden.top);
+        field[F_RESULT][7] = 64'(core.result_in.hidden.left);
+        field[F_RESULT][8] = 64'(core.result_in.hidden.bottom);
+        field[F_RESULT][9] = 64'(core.result_in.hidden.right);
     end
 
     wire unused = &{1'b0, is_done, counters};

@@ -10,7 +10,8 @@ package faster_pkg;
     localparam int PIXEL_BITS = 32;
     localparam int EDGE_TOKEN_BITS = 34;
     localparam int DEPTH_BITS = 11;  // whatever its point
-    localparam int COUNTERS_BITS = 160;
+    localparam int HIDDEN_BITS = 64;
+    localparam int COUNTERS_BITS = 160 + HIDDEN_BITS;
 
     typedef logic [7:0] cycles_t;
     typedef logic [5:0] stage_t;  // 0 .. MAX_STAGES
@@ -51,6 +52,7 @@ package faster_pkg;
         logic        edge_map_clears_on_read_out;
         logic        inlier_unit_clears_on_read_out;
         logic        has_line_buffers;
+        logic        counts_hidden;
         logic        fragment_loop_is_flattened;
         logic        forwards_depth_buffer;
         logic        reciprocals_squeeze;
@@ -120,12 +122,22 @@ package faster_pkg;
         pixel_t     pixel;
     } edge_token_t;
 
+    // Of pixels in front of which something was measured, and the box of the others; 0: there are none.
+    typedef struct packed {
+        logic [31:0] count;
+        logic [7:0]  top;
+        logic [7:0]  left;
+        logic [7:0]  bottom;
+        logic [7:0]  right;
+    } hidden_t;
+
     typedef struct packed {
         logic [31:0] valid_raster;
         logic [31:0] valid_depth;
         logic [31:0] inlier;
         logic [31:0] valid_edge;
         logic [31:0] edge_inlier;
+        hidden_t     hidden;
     } counters_t;
 
     typedef struct packed {

@@ -33,7 +33,11 @@ module inlier_sweep #(
     output logic                          is_valid_depth,
     output logic                          is_inlier,
     output logic                          is_edge,
-    output logic                          is_edge_inlier
+    output logic                          is_edge_inlier,
+    // It may be one of the border, too.
+    output logic                          leaves,
+    output faster_pkg::depth_t            own,
+    output faster_pkg::depth_t            observed
 );
     typedef logic [ADDRESS_BITS-1:0] address_t;
     typedef logic [DEPTH_WIDTH-1:0] word_t;
@@ -154,6 +158,7 @@ module inlier_sweep #(
 
     // What an iteration brings to the comparison
     typedef struct packed {
+        logic  is_token;
         logic  is_pixel;  // inside the border
         logic  edge_bit;
         word_t observed_depth;
@@ -162,10 +167,10 @@ module inlier_sweep #(
     judged_t judged;
     logic has_words;
     delay_line #(
-        .BITS(4 + DEPTH_WIDTH)
+        .BITS(5 + DEPTH_WIDTH)
     ) tokens (
         .clock, .advance, .stages(all_read),
-        .in({active && begins, reads_tokens && !is_border, edge_map, observed_depth, observed_edge}),
+        .in({active && begins, reads_tokens, reads_tokens && !is_border, edge_map, observed_depth, observed_edge}),
         .out({has_words, judged})
     );
 
@@ -188,6 +193,9 @@ module inlier_sweep #(
         .observed(judged.observed_depth), .is_inlier, .is_valid_depth
     );
     assign counts = has_words && judged.is_pixel;
+    assign leaves = has_words && judged.is_token;
+    assign own = words[0+:DEPTH_WIDTH];
+    assign observed = judged.observed_depth;
     assign is_edge = judged.edge_bit;
     assign is_edge_inlier = is_inlier && judged.edge_bit && judged.observed_edge;
 endmodule

@@ -21,6 +21,7 @@ module inlier_unit #(
     input  logic                       is_flattened,
     input  logic                       forwards,  // depths that are being written, to who reads them
     input  logic                       clears_on_read_out,
+    input  logic                       counts_hidden,
     input  logic [8:0]                 window,
     input  faster_pkg::fraction_t      fraction,
 
@@ -156,7 +157,8 @@ module inlier_unit #(
     logic [PORTS-1:0]       sweep_enable, sweep_write;
     logic [PORTS*ADDRESS_BITS-1:0] sweep_address;
     logic [PORTS*DEPTH_WIDTH-1:0]  words_read;
-    logic counts, is_valid_depth, is_inlier, is_edge, is_edge_inlier;
+    logic counts, is_valid_depth, is_inlier, is_edge, is_edge_inlier, leaves;
+    faster_pkg::depth_t own, observed;
 
     inlier_sweep #(
         .WORDS(WORDS),
@@ -167,7 +169,12 @@ module inlier_unit #(
         .edge_map, .observed_depth, .observed_edge,
         .reads_tokens(sweep_reads), .is_last(sweep_is_last),
         .enable(sweep_enable), .write(sweep_write), .address(sweep_address), .words_read,
-        .counts, .is_valid_depth, .is_inlier, .is_edge, .is_edge_inlier
+        .counts, .is_valid_depth, .is_inlier, .is_edge, .is_edge_inlier, .leaves, .own, .observed
+    );
+    faster_pkg::hidden_t hidden;
+    hidden_pixels hidden_of_sweep (
+        .clock, .starts(!counts_hidden || state == BEGIN), .leaves(leaves && sweep_advances), .counts, .window,
+        .fraction(fraction.depth_buffer), .own, .observed, .result(hidden)
     );
     wire tokens_are_there = edge_map_has_token && observed_depth_has_token && observed_edge_has_token;
     assign sweep_advances = state == SWEEP && (!sweep_reads || tokens_are_there);
@@ -207,7 +214,10 @@ module inlier_unit #(
     assign read_word = words_read[DEPTH_WIDTH-1:0];
 
     faster_pkg::counters_t counters;
-    assign result = counters;
+    always_comb begin
+        result = counters;
+        result.hidden = hidden;
+    end
     assign result_write = state == RESULT && result_has_room;
     assign is_drawn = state == END_SEEN;
 

@@ -47,7 +47,7 @@ TRIALS = [
     ("edge_heavy", DEEP + ["inlier_unit.fragment_loop=flattened", "edge_map.algorithm=inner_border",
                            "inlier_unit.clearing=on_read_out", "brams.depth_buffer.ports=1",
                            "area_reciprocal.when_full=squeeze", "fifos.area_reciprocal.write_latency=2"]),
-    ("fragment_heavy", DEEP + ["inlier_unit.neighbour_access=window", "edge_map.clearing=on_read_out",
+    ("fragment_heavy", DEEP + ["inlier_unit.neighbour_access=window", "inlier_unit.hidden=counted", "edge_map.clearing=on_read_out",
                                "brams.edge_map.ports=1", "loops.inlier_unit.fragment.recurrence_ii=3",
                                "fifos.fragment_index.write_latency=3", "fifos.command.kind=memory"]),
     ("tomato_soup_can", DEEP),
@@ -55,7 +55,7 @@ TRIALS = [
     ("last_object", []),
     ("at_border", []),
     # Our own designs
-    ("edge_heavy", TEN_LANES),
+    ("edge_heavy", TEN_LANES + ["inlier_unit.hidden=counted"]),
     ("edge_heavy", TEN_LANES + ["rasterizer.lanes=5", "inlier_unit.sweep_lanes=10", "edge_map.buffers=1",
                                   "inlier_unit.buffers=1", "fifos.area.depth=4", "rasterizer.setup_overlap=2"]),
     ("full_window", TEN_LANES + ["rasterizer.lanes=1", "inlier_unit.sweep_region=window", "fifos.vertex.depth=2"]),

@@ -77,9 +77,9 @@ inlier_unit() {
     interval=$(((words + ports - 1) / ports))
     flattened=$(truth $fragment_loop flattened)
     unit "${2:-}inlier_unit" "$1" inlier_unit \
-        "depth_unit.sv pixel_comparison.sv line_buffers.sv inlier_sweep.sv inlier_unit.sv" \
+        "depth_unit.sv pixel_comparison.sv line_buffers.sv hidden_pixel.sv hidden_pixels.sv inlier_sweep.sv inlier_unit.sv" \
         "WORDS=$((window * window)) PORTS=$((ports < 2 ? 2 : ports)) RECIPROCAL_BITS=$(reciprocal_bits) DEPTH_BITS=$((fragment_depth + 2))" \
-        "clear_loop=$(hex_loop 1 2) fragment_loop=$(hex_loop 1 ${depth:-10}) sweep_loop=$(hex_loop $interval 8) ports=3'd$ports is_inner_border=$(truth $algorithm inner_border) has_line_buffers=$(truth $neighbour_access window) clears_on_read_out=$(truth $clearing on_read_out) is_flattened=$flattened forwards=$flattened window=9'd$window fraction=$(fractions)"
+        "clear_loop=$(hex_loop 1 2) fragment_loop=$(hex_loop 1 ${depth:-10}) sweep_loop=$(hex_loop $interval 8) ports=3'd$ports is_inner_border=$(truth $algorithm inner_border) has_line_buffers=$(truth $neighbour_access window) clears_on_read_out=$(truth $clearing on_read_out) counts_hidden=1'b0 is_flattened=$flattened forwards=$flattened window=9'd$window fraction=$(fractions)"
 }
 # The core with lanes, rtl/lanes
 lane_unit() { # NAME CONFIGURATION FILES PARAMETERS CONSTANTS
@@ -109,8 +109,12 @@ lane_inlier_unit() {
 }
 lane_sweep() {
     apply "$1"
-    lane_unit lane_sweep "$1" "pixel_comparison.sv lanes/region_walk.sv" "LANES_BUILT=$lanes" \
-        "lanes=4'd$lanes sweep_loop=$(hex_loop 1 8) sweeps_touched=$(truth $region touched) has_two_buffers=$(truth $buffers 2) fraction=4'd9 window=9'd$window"
+    lane_unit lane_sweep "$1" "pixel_comparison.sv hidden_pixel.sv lanes/lane_hidden_pixels.sv lanes/region_walk.sv" "LANES_BUILT=$lanes" \
+        "lanes=4'd$lanes sweep_loop=$(hex_loop 1 8) sweeps_touched=$(truth $region touched) has_two_buffers=$(truth $buffers 2) counts_hidden=1'b0 fraction=4'd9 window=9'd$window"
+}
+lane_hidden_pixels() {
+    apply "$1"
+    lane_unit lane_hidden_pixels "$1" hidden_pixel.sv "LANES_BUILT=$lanes" "fraction=4'd9"
 }
 lane_map_output() {
     apply "$1"
@@ -200,6 +204,9 @@ for shape in "1 1" "1 2" "5 1" "5 2" "6 2" "10 1"; do # banks, buffers
     banked banked_depths 11 ${shape% *} ${shape#* }
 done
 for keys in default lanes=5 lanes=10; do span_units "$keys"; done
+# What counting hidden pixels adds to inlier_unit or lane_sweep
+unit hidden_pixels default hidden_pixels "hidden_pixel.sv hidden_pixels.sv" "" "window=9'd200 fraction=4'd9"
+for keys in default lanes=5 lanes=6 lanes=10; do lane_hidden_pixels "$keys"; done
 unit lane_depth_unit default lane_depth_unit "depth_unit.sv lanes/lane_depth_unit.sv" "RECIPROCAL_BITS=39 DEPTH_BITS=20" \
     "forwards=1'b1 read_stage=6'd7 fraction=$(fractions)"
 for keys in default interval=18; do # a triangle every third cycle, or one after the other

@@ -26,6 +26,7 @@ module cosimulated_lane_core (
     input  logic               sweeps_touched,
     input  logic               has_two_maps,
     input  logic               has_two_depth_buffers,
+    input  logic               counts_hidden,
     input  logic [7:0]         setup_cycles,  // without the division of spans
     input  logic [7:0]         loop_target[LOOPS],
     input  logic [7:0]         loop_recurrence[LOOPS],
@@ -96,7 +97,8 @@ module cosimulated_lane_core (
     wire is_single = scan_lanes == 4'd1;
     wire [7:0] reciprocal_bits = 8'(area_reciprocal_fraction) + (8'(vertex_xy) << 1) + 8'd1;
     wire [7:0] pixel_bits = bits_for(18'(window) * 18'(window));
-    wire [7:0] result_bits = (pixel_bits << 2) + 8'd32;
+    wire [7:0] hidden_bits = counts_hidden ? pixel_bits + (bits_for(18'(window)) << 2) : '0;
+    wire [7:0] result_bits = (pixel_bits << 2) + 8'd32 + hidden_bits;
     wire [7:0] corner_bits = (bits_for(18'(window)) + 8'd1) << 1;
     wire [7:0] region_bits = sweeps_touched ? corner_bits << 1 : 8'd0;
     function automatic faster_pkg::fifo_t resolved(input fifo_number_t number, input logic [7:0] bits);
@@ -120,6 +122,7 @@ module cosimulated_lane_core (
         asked_for.common.forwards_depth_buffer = forwards_depth_buffer;
         asked_for.common.reciprocals_squeeze = reciprocals_squeeze;
         asked_for.common.area_reciprocal_interval = area_reciprocal_interval;
+        asked_for.common.counts_hidden = counts_hidden;
         asked_for.common.setup_cycles = setup_cycles + DIVISION_CYCLES;
         asked_for.common.vertex_loop = scheduled(VERTEX, 8'd1);
         asked_for.common.scan_loop = scheduled(SCAN, 8'd1);
@@ -281,6 +284,11 @@ module cosimulated_lane_core (
         field[F_RESULT][2] = 64'(core.result_in.inlier);
         field[F_RESULT][3] = 64'(core.result_in.valid_edge);
         field[F_RESULT][4] = 64'(core.result_in.edge_inlier);
+        field[F_RESULT][5] = 64'(core.result_in.hidden.count);
+        field[F_RESULT][6] = 64'(core.result_in.hidden.top);
+        field[F_RESULT][7] = 64'(core.result_in.hidden.left);
+        field[F_RESULT][8] = 64'(core.result_in.hidden.bottom);
+        field[F_RESULT][9] = 64'(core.result_in.hidden.right);
         field[F_REGION][0] = 64'(core.region_in.row);
         field[F_REGION][1] = 64'(core.region_in.col);
         field[F_VALID_DEPTH][0] = 64'(core.valid_depth_in);

@@ -368,8 +368,8 @@ module lane_core #(
     );
     lane_sweep sweep (
         .clock, .reset, .sweep_loop(settings.common.sweep_loop), .sweeps_touched(settings.sweeps_touched),
-        .has_two_buffers(settings.has_two_depth_buffers), .lanes(settings.sweep_lanes), .window(settings.common.window),
-        .fraction(settings.common.fraction.depth_buffer),
+        .has_two_buffers(settings.has_two_depth_buffers), .counts_hidden(settings.common.counts_hidden),
+        .lanes(settings.sweep_lanes), .window(settings.common.window), .fraction(settings.common.fraction.depth_buffer),
         .depth_full_has_token, .depth_full_read, .depth_full(depth_full_out),
         .depth_free_has_room, .depth_free_write, .depth_free(depth_free_in),
         .edge_map_has_token, .edge_map_read, .edge_map(edge_map_out),

@@ -9,6 +9,7 @@ module lane_sweep #(
     input  faster_pkg::loop_t                                sweep_loop,
     input  logic                                             sweeps_touched,
     input  logic                                             has_two_buffers,
+    input  logic                                             counts_hidden,
     input  lane_pkg::lanes_t                                 lanes,
     input  logic [8:0]                                       window,
     input  logic [3:0]                                       fraction,
@@ -116,15 +117,28 @@ module lane_sweep #(
         end
     end
 
+    faster_pkg::hidden_t hidden;
+    lane_hidden_pixels #(
+        .LANES_BUILT(LANES_BUILT)
+    ) hidden_of_lanes (
+        .clock, .starts(!counts_hidden || goes), .advance, .next_col(col), .takes(advance && was_read), .row(write_row),
+        .judged(lanes_judged), .fraction, .words, .observed(depths_read), .result(hidden)
+    );
+    faster_pkg::counters_t counters;
+    always_comb begin
+        result = counters;
+        result.hidden = hidden;
+    end
+
     assign result_write = state == RESULT && result_has_room;
     assign is_over = result_write;
     always_ff @(posedge clock) begin
-        if (goes) result <= {has_two_buffers ? depth_full.valid_raster : valid_raster, 128'd0};
+        if (goes) counters <= {has_two_buffers ? depth_full.valid_raster : valid_raster, 192'd0};
         else if (advance && was_read) begin
-            if (!sweeps_touched) result.valid_depth <= result.valid_depth + valid_depths;
-            result.inlier <= result.inlier + inliers;
-            result.valid_edge <= result.valid_edge + edges;
-            result.edge_inlier <= result.edge_inlier + edge_inliers;
+            if (!sweeps_touched) counters.valid_depth <= counters.valid_depth + valid_depths;
+            counters.inlier <= counters.inlier + inliers;
+            counters.valid_edge <= counters.valid_edge + edges;
+            counters.edge_inlier <= counters.edge_inlier + edge_inliers;
         end
         if (advance) begin
             was_read <= takes_tokens;

@@ -115,6 +115,23 @@ TEST_CASE("Comparing engines finds the engine and nothing else") {
                                Contains("Figures: the same, summed over cores"));
 }
 
+TEST_CASE("Hidden pixels are columns more in samples.csv, and change nothing else") {
+    Runs const runs;
+    runs.run("a", traces / "edge_heavy");
+    runs.run("b", traces / "edge_heavy", {"accelerator.inlier_unit.hidden=counted"});
+    CommandResult const result = runs.compare({"a", "b"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("accelerator.inlier_unit.hidden: \"ignored\" -> \"counted\"") &&
+                               Contains("Results: the same in all"));
+    Words const plain = lines_of(runs.text("a/samples.csv")), counted = lines_of(runs.text("b/samples.csv"));
+    REQUIRE(plain.size() == counted.size());
+    CHECK(counted[0] == plain[0] + ",hidden,visible_top,visible_left,visible_bottom,visible_right");
+    for (std::size_t i = 1; i < plain.size(); ++i)
+        CHECK(counted[i].substr(0, plain[i].size() + 1) == plain[i] + ",");
+    CHECK(runs.text("a/fifos.csv") == runs.text("b/fifos.csv"));
+    CHECK(runs.text("a/all_loops.csv") == runs.text("b/all_loops.csv"));
+}
+
 TEST_CASE("A sample that scores differently fails the comparison") {
     Runs const runs;
     fs::copy(traces / "one_triangle", runs.folder() / "trace");

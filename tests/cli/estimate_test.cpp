@@ -260,13 +260,13 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
         CHECK(as_tiff.out == as_png.out);
         CHECK(as_tiff.err == "");
         dataset.replace("test/000001/scene_camera.json", R"("depth_scale": 0.1)", R"("depth_scale": 1)");
+        CommandResult const odd = estimate({"--object", "1"});
+        CHECK(odd.exit_code == 0);
+        CHECK_THAT(odd.err, Contains("000000.tif: all of its ") && Contains("depth_scale of scene_camera.json = 1 mm"));
         std::string box = true_box(1);
         dataset.write("boxes.json", std::regex_replace(box, std::regex(R"("score": *[0-9.]+)"), R"("score": 3)"));
-        CommandResult const odd = estimate({"--object", "1", "--detections", (dataset / "boxes.json").string()});
-        CHECK(odd.exit_code == 0);
-        CHECK_THAT(odd.err, Contains("000000.tif: all of its ") &&
-                                Contains("depth_scale of scene_camera.json = 1 mm") &&
-                                Contains("boxes.json: 1 of 1 scores are no confidences from 0 to 1, the first is 3"));
+        check_bad_input(estimate({"--object", "1", "--detections", (dataset / "boxes.json").string()}),
+                        {"boxes.json", ".score = 3, expected a confidence from 0 to 1"});
     }
     SECTION("what the dataset does not have") {
         check_bad_input(estimate({"--object", "2"}), {"--object", "1, 5"});

@@ -70,6 +70,20 @@ TEST_CASE("whatif without changes finds the recorded run") {
     CHECK_THAT(result.out, Contains("identical: configuration, results and cycles of events and whatif"));
 }
 
+TEST_CASE("whatif keeps the counters of hidden pixels, where they were recorded") {
+    Workspace const workspace;
+    Words const hidden{"--set", "accelerator.inlier_unit.hidden=counted"};
+    Words run{"run", "config.yaml", "--events", "hidden", "--out", "run"};
+    run.insert(run.end(), hidden.begin(), hidden.end());
+    require_done(workspace.tool(run));
+    require_done(workspace.tool({"whatif", "hidden", "--out", "whatif"}));
+    CHECK_THAT(workspace.text("run/samples.csv"), Contains("edge_inlier,hidden,visible_top,"));
+    CHECK(workspace.text("run/samples.csv") == workspace.text("whatif/samples.csv"));
+    CommandResult const refused = workspace.whatif(hidden);
+    CHECK(refused.exit_code == 2);
+    CHECK_THAT(refused.err, Contains("accelerator.inlier_unit.hidden") && Contains("decides what is counted"));
+}
+
 TEST_CASE("whatif answers first, and has the report behind --full") {
     Workspace const workspace;
     Words const setting{"--set", "accelerator.brams.depth_buffer.ports=3"};

@@ -1,5 +1,7 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fmt/format.h>
 
 #include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
@@ -48,6 +50,18 @@ TEST_CASE("An experiment makes scenes, looks for objects, judges, and goes on wh
     CHECK(lines_of(workspace.text("out/convergence.csv")).size() == 5);
     CHECK_THAT(workspace.text("out/evaluation/dark/scores.csv"), Contains("faster") && Contains("grip"));
     CHECK_THAT(workspace.text("out/boxes/dark.json"), Contains("bbox"));
+    for (std::string const method : {"faster", "grip"}) {
+        std::array<int, 4> counts{};  // found, right of them, others, right of them
+        for (std::string const& line : lines_of(estimates)) {
+            std::vector<std::string> const cells = cells_of(line);
+            if (cells[1] != method)
+                continue;
+            std::size_t const at = cells[8] == "found" ? 0 : 2;
+            ++counts[at];
+            counts[at + 1] += std::stod(cells[9]) < 20 ? 1 : 0;
+        }
+        CHECK_THAT(result.out, Contains(fmt::format("| dark | {} | {} |\n", method, fmt::join(counts, " | "))));
+    }
 
     // A journal that lost its last row, and a method more: only these are done.
     std::string const journal = workspace.text("out/journal");

@@ -104,6 +104,8 @@ std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimu
     REQUIRE(run.maps.size() == stimulus.samples.size());
     reference::Scorer scorer = config.flow == Flow::fpga_grip ? reference::Scorer(stimulus, config.edge_extraction)
                                                               : reference::Scorer(stimulus, config.edge_map);
+    if (config.inlier_unit.hidden == HiddenPixels::counted)
+        scorer.count_hidden();
     std::uint64_t drawn = 0;
     for (std::size_t sample = 0; sample < stimulus.samples.size(); ++sample) {
         CAPTURE(sample);
@@ -115,6 +117,7 @@ std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimu
         CHECK(found.inlier == counters.inlier);
         CHECK(found.valid_edge == counters.valid_edge);
         CHECK(found.edge_inlier == counters.edge_inlier);
+        CHECK(values_of(found) == values_of(counters));
         CHECK(first_difference(run.maps[sample].edge_map, scorer.maps().edge_map) == "");
         CHECK(first_difference(run.maps[sample].object_map, scorer.maps().object_map) == "");
         CHECK(first_difference(run.maps[sample].depth_buffer, scorer.maps().depth_buffer) == "");
@@ -144,6 +147,7 @@ void check_traces(std::uint64_t first_seed, std::uint64_t stimuli, RandomStimulu
         machine.any_region = true;
         machine.any_buffers = true;
         AcceleratorConfig config = random_config(seed, machine);
+        config.inlier_unit.hidden = seed % 4 < 2 ? HiddenPixels::counted : HiddenPixels::ignored;
         adopt(stimulus, config);
         check_model(config, stimulus, Engine::decoupled);
         if (seed % 10 == 0)
@@ -155,6 +159,7 @@ AcceleratorConfig machine_of_seed(std::uint64_t seed) {
     AcceleratorConfig config;
     config.cores = 1 + seed % 3;
     config.edge_map.flush_last = seed % 2 == 1;
+    config.inlier_unit.hidden = seed % 4 == 3 ? HiddenPixels::counted : HiddenPixels::ignored;
     return config;
 }
 

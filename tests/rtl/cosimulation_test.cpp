@@ -106,6 +106,7 @@ Trial random_trial(std::uint64_t seed) {
     config.algorithm = seed % 4 < 2 ? EdgeMapAlgorithm::dual_map : EdgeMapAlgorithm::inner_border;
     config.is_deadlock_free = seed % 5 != 0;
     Trial trial{random_config(seed, config), random_stimulus(seed, stimulus)};
+    trial.config.inlier_unit.hidden = seed % 7 < 3 ? HiddenPixels::counted : HiddenPixels::ignored;
     fit_to_twin(trial.config, random);
     adopt(trial.stimulus, trial.config);
     trial.config.fraction_bits = trial.stimulus.fraction;
@@ -161,6 +162,7 @@ Trial random_lane_trial(std::uint64_t seed) {
     config.algorithm = EdgeMapAlgorithm::inner_border;
     config.is_deadlock_free = seed % 5 != 0;
     Trial trial{random_config(seed, config), random_stimulus(seed, stimulus)};
+    trial.config.inlier_unit.hidden = seed % 7 < 3 ? HiddenPixels::counted : HiddenPixels::ignored;
     give_lanes(trial.config, random);
     fit_to_twin(trial.config, random);
     trial.config.rasterizer.edge_tokens = EdgeTokens::object;

@@ -17,13 +17,8 @@ inline Counters counters_of(SampleCounters const& counters) {
 
 /// Throws std::out_of_range if it has no result, as of a run that got stuck.
 inline SampleCounters counters_of(SampleStatistics const& sample) {
-    SampleCounters counters;
-    counters.valid_raster = sample.counters.at(0);
-    counters.valid_depth = sample.counters.at(1);
-    counters.inlier = sample.counters.at(2);
-    counters.valid_edge = sample.counters.at(3);
-    counters.edge_inlier = sample.counters.at(4);
-    return counters;
+    static_cast<void>(sample.counters.at(counter_names.size() - 1));
+    return counters_from(sample.counters);
 }
 
 }  // namespace faster::testing

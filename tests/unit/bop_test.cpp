@@ -515,19 +515,20 @@ TEST_CASE("Confidences of detections are taken for those from 0 to 1, and that i
     auto const detection = [](std::string const& score) {
         return R"({"scene_id": 1, "image_id": 2, "category_id": 3, "bbox": [1.5, 2, 3, 4])" + score + "}";
     };
-    fs::path const file = folder.write("d.json", "[" + detection(R"(, "score": 3)") + "," +
-                                                     detection(R"(, "score": -0.5, "time": null)") + "," +
-                                                     detection("") + "," + detection(R"(, "score": 1.0000001)") + "]");
+    fs::path const file =
+        folder.write("d.json", "[" + detection(R"(, "score": 3)") + "," + detection(R"(, "score": -0.5)") + "," +
+                                   detection(R"(, "time": null)") + "," + detection(R"(, "score": 1.0000001)") + "]");
     std::vector<std::string> warnings;
     auto const read = read_detections(file, warnings);
-    CHECK(read[0].score == 1);
-    CHECK(read[1].score == 0);
-    CHECK(read[1].time_s == -1);
+    CHECK_THAT(input_error_text([&] { sound(read[0]); }),
+               Catch::Contains("[0].score = 3, expected a confidence from 0 to 1"));
+    CHECK_THAT(input_error_text([&] { sound(read[1]); }),
+               Catch::Contains("[1].score = -0.5, expected a confidence from 0 to 1"));
     CHECK(read[2].score == 1);
+    CHECK(read[2].time_s == -1);
     CHECK(read[3].score == 1);
-    REQUIRE(warnings.size() == 2);
-    CHECK_THAT(warnings[0], Catch::Contains("d.json: 2 of 4 scores are no confidences from 0 to 1, the first is 3"));
-    CHECK_THAT(warnings[1], Catch::Contains("d.json: 1 of 4 detections have no score"));
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0], Catch::Contains("d.json: 1 of 4 detections have no score"));
     auto const odd = detections_of(folder.write("o.json", R"([{"scene_id": 1, "image_id": 2, "category_id": 3,
         "bbox": [-1, -1, -1, -1], "score": 0.5}, {"scene_id": 1, "image_id": 2, "category_id": 3, "score": 0.5}])"));
     CHECK_THAT(input_error_text([&] { sound(odd[0]); }), Catch::Contains("[0].bbox = an array of 4, expected a box"));

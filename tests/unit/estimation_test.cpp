@@ -496,6 +496,37 @@ TEST_CASE("Eq. 2.4 by hand, of counters and of GRIP's clouds", "[estimation]") {
     CHECK(terms_of(score, 1, {}, {InBoxTerm::box_points, 401}).weight({0.1, 0.2, 0.3, 0.25, 0.15}) == Approx(0.1));
 }
 
+TEST_CASE("Hidden pixels are no drawn ones, as far as the weight is told so", "[estimation]") {
+    SampleCounters counters;
+    counters.valid_raster = 400;
+    counters.inlier = 60;
+    counters.hidden = 200;
+    BoxFit const fit{0.5, 0.5};
+    CHECK(terms_of(counters, 1, fit, {InBoxTerm::overlap, 0}).raw == Approx(60.0 / 400));
+    CHECK(terms_of(counters, 1, fit, {InBoxTerm::overlap, 0, 0.5}).raw == Approx(60.0 / 300));
+    CHECK(terms_of(counters, 1, fit, {InBoxTerm::overlap, 0, 0.5}).in_box == Approx(0.5 * 60.0 / 300));
+    CHECK(terms_of(counters, 1, fit, {InBoxTerm::overlap, 0, 1}).raw == Approx(60.0 / 200));
+    counters.hidden = 400;
+    CHECK(terms_of(counters, 1, fit, {InBoxTerm::overlap, 0, 1}).raw == 0);  // nothing is left to look for
+}
+
+TEST_CASE("The box of drawn, not hidden pixels lies in the image where the sample's window does", "[estimation]") {
+    SampleInput sample;
+    sample.centre_row = 120;
+    sample.centre_col = 90;
+    SampleCounters counters;
+    CHECK(visible_box(counters, sample, 201).width == 0);
+    counters.visible_top = 10;
+    counters.visible_bottom = 29;
+    counters.visible_left = 40;
+    counters.visible_right = 40;
+    DetectionConfig const box = visible_box(counters, sample, 201);
+    CHECK(box.top == 30);
+    CHECK(box.height == 20);
+    CHECK(box.left == 30);
+    CHECK(box.width == 1);
+}
+
 TEST_CASE("I_b is had in the same four ways from counters and from GRIP's clouds", "[estimation]") {
     SampleCounters counters;
     counters.valid_raster = 400;

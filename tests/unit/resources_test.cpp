@@ -323,4 +323,35 @@ TEST_CASE("Each part's power is its activity times its coefficient", "[power]") 
     CHECK(power_of(run, only).modules[2].milliwatts.typical == Approx(1e-3 * luts * busy / microseconds));
 }
 
+TEST_CASE("Counting hidden pixels takes a unit of its own in the inlier unit, and a wider result",
+          "[resources][hidden]") {
+    struct Case {
+        std::vector<std::string> design;
+        char const* unit;
+        char const* lanes;
+        std::uint64_t more_bits;
+    };
+    std::vector<std::string> const next{"accelerator.architecture=next_zcu102"};
+    for (Case const& one : {Case{{}, "hidden_pixels", "1", 16 + 4 * 8}, Case{next, "lane_hidden_pixels", "6", 48}}) {
+        CAPTURE(one.unit);
+        Machine const plain = machine_with(one.design);
+        std::vector<std::string> counting = one.design;
+        counting.emplace_back("accelerator.inlier_unit.hidden=counted");
+        Machine const counted = machine_with(counting);
+        std::size_t const result = plain.fifo("result");
+        CHECK(counted.fifos[result].bits == plain.fifos[result].bits + one.more_bits);
+        Resources const unit = synthesized_units().unit(one.unit, {{"lanes", one.lanes, "1"}}).amount;
+        auto const fifo = [&](Machine const& machine) {
+            MachineFifo const& of = machine.fifos[result];
+            return synthesized_units().fifo(of.kind, of.tokens(), of.bits).amount;
+        };
+        Resources const expected = unit + (fifo(counted) - fifo(plain));
+        Resources const more = resources_of(counted).core.amount - resources_of(plain).core.amount;
+        CHECK(more.lut == Approx(expected.lut));
+        CHECK(more.ff == Approx(expected.ff));
+        CHECK(more.ramb36 == 0);
+        CHECK(more.lut > 50);
+    }
+}
+
 }  // namespace faster::resources_test

@@ -53,8 +53,11 @@ TEST_CASE("Pixel runs give the counters and maps of the reference, with every ed
     fraction.vertex_xy = seed % 3 == 1 ? 0 : 4;  // vertices in the middle of pixels, which are inside then
     Stimulus stimulus = workload::build_stimulus(small_scene(seed), seed % 4 == 3 ? 41 : 64, fraction);
     leave_every(seed % 3 == 1 ? 11 : 1, stimulus.posed.mesh);
-    datapath::UntimedScorer scorer(stimulus, edge_map);
+    HiddenPixels const hidden = seed % 2 == 0 ? HiddenPixels::counted : HiddenPixels::ignored;
+    datapath::UntimedScorer scorer(stimulus, edge_map, hidden);
     reference::Scorer reference(stimulus, edge_map);
+    if (hidden == HiddenPixels::counted)
+        reference.count_hidden();
     for (std::size_t i = 0; i < stimulus.samples.size(); ++i) {
         CAPTURE(i);
         SampleCounters const counters = scorer.score(stimulus.posed.poses[i], stimulus.samples[i]);

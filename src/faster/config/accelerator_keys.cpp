@@ -142,6 +142,12 @@ void add_inlier_unit_keys(Keys& keys) {
          "that the sample's tokens touched.",
          "thesis A.2, A.3; touched: this project"},
         [](auto& config) -> auto& { return config.accelerator.inlier_unit.sweep_region; }));
+    keys.push_back(Make::choice_key(
+        {"accelerator.inlier_unit.hidden", "",
+         "Whether the sweep counts drawn pixels in front of which something was measured, and has the box of the "
+         "others.",
+         "thesis A.3; counted: this project"},
+        [](auto& config) -> auto& { return config.accelerator.inlier_unit.hidden; }));
 }
 
 void add_flow_key(Keys& keys) {

@@ -45,6 +45,11 @@ template <> struct EnumNames<faster::SweepRegion> {
         {{faster::SweepRegion::window, "window"}, {faster::SweepRegion::touched, "touched"}}};
 };
 
+template <> struct EnumNames<faster::HiddenPixels> {
+    static constexpr std::array<std::pair<faster::HiddenPixels, char const*>, 2> all{
+        {{faster::HiddenPixels::ignored, "ignored"}, {faster::HiddenPixels::counted, "counted"}}};
+};
+
 template <> struct EnumNames<faster::Placement> {
     static constexpr std::array<std::pair<faster::Placement, char const*>, 2> all{
         {{faster::Placement::external, "external"}, {faster::Placement::on_chip, "on_chip"}}};

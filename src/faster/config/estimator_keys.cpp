@@ -43,8 +43,8 @@ void add_loop_keys(Keys& keys) {
          "docs/poses.md"},
         zero_or_more, [](auto& config) -> auto& { return config.estimator.stop_weight; }));
     keys.push_back(Make::number_key(
-        {"estimator.least_weight", "", "An estimate of less weight is reported as not found.", "this project"},
-        zero_or_more, [](auto& config) -> auto& { return config.estimator.least_weight; }));
+        {"estimator.least_weight", "", "An estimate of less weight is reported as not found.", searched}, zero_or_more,
+        [](auto& config) -> auto& { return config.estimator.least_weight; }));
     keys.push_back(Make::choice_key(
         {"estimator.estimate", "",
          "What the estimate is: the pose of the largest weight, or the weighted mean of the poses close to it.",
@@ -81,11 +81,23 @@ void add_weight_keys(Keys& keys) {
         "accelerator.in_box", "I_b (estimator.weights.in_box)",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.in_box; }));
     keys.push_back(coefficient_key(
-        "accelerator.raw", "I_r = inlier / valid_raster",
+        "accelerator.raw", "I_r = inlier / (valid_raster - estimator.weights.hidden x hidden)",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.raw; }));
     keys.push_back(coefficient_key(
         "accelerator.edge", "I_e = edge_inlier / valid_edge",
         [](auto& config) -> auto& { return config.estimator.accelerator_weights.edge; }));
+    keys.push_back(Make::number_key(
+        {"estimator.weights.hidden", "",
+         "With accelerator.inlier_unit.hidden counted: share of the hidden pixels that I_r does not take for drawn; 0: "
+         "as if they contradicted.",
+         searched},
+        share, [](auto& config) -> auto& { return config.estimator.hidden; }));
+    keys.push_back(Make::boolean_key(
+        {"estimator.weights.visible_box", "",
+         "With accelerator.inlier_unit.hidden counted: whether the sample's box is that of drawn, not hidden pixels, "
+         "and not that of the whole object.",
+         searched},
+        [](auto& config) -> auto& { return config.estimator.visible_box; }));
     keys.push_back(Make::integer_key(
         {"estimator.weights.least_drawn_px", "draws",
          "A sample that draws fewer fragments (accelerator) or points (grip) has no inlier ratios.", "this project"},

@@ -83,14 +83,27 @@ void check_scan_lanes(LoadedConfig const& loaded, std::vector<std::string>& comp
     }
 }
 
+constexpr int most_bits_with_far = 9;  ///< of the depth buffer: 2 m is code 1024 then, far is 2047
+
 /// Where nothing is drawn the depth buffer says "far", which has to lie beyond the 2 m up to which the sweep compares.
 void check_sweep_region(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
-    constexpr int most_bits = 9;  // 2 m is code 1024 then, far is 2047
     AcceleratorConfig const& config = accelerator_of(loaded.config);
-    if (config.inlier_unit.sweep_region == SweepRegion::touched && config.fraction_bits.depth_buffer > most_bits) {
+    if (config.inlier_unit.sweep_region == SweepRegion::touched &&
+        config.fraction_bits.depth_buffer > most_bits_with_far) {
         complaints.push_back(
             complaint(loaded, "accelerator.inlier_unit.sweep_region",
                       fmt::format("window because of {}, with which pixels that nothing touched are nearer than 2 m",
+                                  with_value(loaded, "accelerator.fraction_bits.depth_buffer"))));
+    }
+}
+
+/// A pixel is drawn where the depth buffer does not say "far", as above.
+void check_hidden(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    AcceleratorConfig const& config = accelerator_of(loaded.config);
+    if (config.inlier_unit.hidden == HiddenPixels::counted && config.fraction_bits.depth_buffer > most_bits_with_far) {
+        complaints.push_back(
+            complaint(loaded, "accelerator.inlier_unit.hidden",
+                      fmt::format("ignored because of {}, with which pixels that nothing drew are nearer than 2 m",
                                   with_value(loaded, "accelerator.fraction_bits.depth_buffer"))));
     }
 }
@@ -137,6 +150,7 @@ std::vector<std::string> faster_complaints(LoadedConfig const& loaded) {
     check_lanes(loaded, complaints);
     check_scan_lanes(loaded, complaints);
     check_sweep_region(loaded, complaints);
+    check_hidden(loaded, complaints);
     check_fraction_bits(loaded, complaints);
     check_scan(loaded, complaints);
     check_edge_tokens(loaded, complaints);

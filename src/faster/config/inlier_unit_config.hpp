@@ -21,7 +21,15 @@ enum class SweepRegion {
     touched,  ///< the box of those that the sample's tokens can have changed
 };
 
-/// The inlier unit's loops and memory accesses; keys `accelerator.inlier_unit.*`. None of them changes a result.
+/// What the sweep makes of drawn pixels in front of which something was measured; key
+/// `accelerator.inlier_unit.hidden`.
+enum class HiddenPixels {
+    ignored,  ///< they are pixels that do not agree: thesis A.3
+    counted,  ///< counts them, and has the box of all others
+};
+
+/// The inlier unit's loops, memory accesses and counters; keys `accelerator.inlier_unit.*`. None of them changes a
+/// counter that the thesis has.
 struct InlierUnitConfig {
     NeighbourAccess neighbour_access = NeighbourAccess::direct;
     MapClearing clearing = MapClearing::loop;
@@ -29,6 +37,7 @@ struct InlierUnitConfig {
     int buffers = 1;      ///< depth buffers, 1 or 2; 2: one is swept by a process of its own
     int sweep_lanes = 1;  ///< pixels of a row that an iteration of the loops behind the drawing takes, >= 1
     SweepRegion sweep_region = SweepRegion::window;
+    HiddenPixels hidden = HiddenPixels::ignored;
 };
 
 }  // namespace faster

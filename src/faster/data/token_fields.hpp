@@ -96,6 +96,7 @@ template <> struct TokenFields<faster::FullDepthBuffer> {
                 t.region.last.row,  t.region.last.col};
     }
 };
+/// Last those of hidden pixels, likewise.
 template <> struct TokenFields<faster::SampleCounters> {
     static constexpr std::array<TokenField, faster::sample_counter_count> layout = [] {
         std::array<TokenField, faster::sample_counter_count> fields{};

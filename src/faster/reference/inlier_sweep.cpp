@@ -91,4 +91,38 @@ void sweep(SampleMaps const& maps, ObservedWindow const& observed, int depth_fra
     }
 }
 
+void count_hidden(Image<std::uint16_t> const& depth_buffer, Image<std::uint16_t> const& observed_depth,
+                  int depth_fraction_bits, SampleCounters& counters) {
+    Limits const limits(depth_fraction_bits);
+    int const side = depth_buffer.height();
+    int top = side;
+    int left = side;
+    int bottom = 0;
+    int right = 0;
+    for (int row = 1; row < side - 1; ++row) {
+        for (int col = 1; col < side - 1; ++col) {
+            std::int64_t const drawn = depth_buffer.at(row, col);
+            std::int64_t const seen = observed_depth.at(row, col);
+            if (drawn >= limits.drawn) {
+                continue;
+            }
+            bool const is_measured = seen > 0;
+            if (is_measured && seen < drawn && !limits.near(drawn - seen)) {
+                ++counters.hidden;
+            } else {
+                top = std::min(top, row);
+                left = std::min(left, col);
+                bottom = std::max(bottom, row);
+                right = std::max(right, col);
+            }
+        }
+    }
+    if (bottom > 0) {
+        counters.visible_top = static_cast<std::uint64_t>(top);
+        counters.visible_left = static_cast<std::uint64_t>(left);
+        counters.visible_bottom = static_cast<std::uint64_t>(bottom);
+        counters.visible_right = static_cast<std::uint64_t>(right);
+    }
+}
+
 }  // namespace faster::reference

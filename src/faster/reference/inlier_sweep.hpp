@@ -30,8 +30,13 @@ void read_window(Stimulus const& stimulus, WindowOffset offset, ObservedWindow& 
 enum class EdgeDepth { of_neighbour, of_pixel };
 
 /// Compares what was drawn with what was observed, pixel by pixel without the border of the window (thesis A.3,
-/// docs/function.md#inlierunit). Adds to every counter but valid_raster. `maps` and `observed` are W x W.
+/// docs/function.md#inlierunit). Adds to every counter but valid_raster and
+/// those of count_hidden(). `maps` and `observed` are W x W.
 void sweep(SampleMaps const& maps, ObservedWindow const& observed, int depth_fraction_bits, EdgeDepth edge_depth,
            SampleCounters& counters);
+
+/// Which of the drawn pixels something nearer hides, and the box of all others (docs/function.md#hidden-pixels).
+void count_hidden(Image<std::uint16_t> const& depth_buffer, Image<std::uint16_t> const& observed_depth,
+                  int depth_fraction_bits, SampleCounters& counters);
 
 }  // namespace faster::reference

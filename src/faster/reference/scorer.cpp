@@ -162,6 +162,9 @@ template <class Builder, class Tokens> SampleCounters Scorer::run_with(std::size
                                      ? EdgeDepth::of_pixel
                                      : EdgeDepth::of_neighbour;
     sweep(maps_, observed_, stimulus_.fraction.depth_buffer, edge_depth, counters);
+    if (counts_hidden_) {
+        reference::count_hidden(maps_.depth_buffer, observed_.depth, stimulus_.fraction.depth_buffer, counters);
+    }
     return counters;
 }
 

@@ -24,6 +24,9 @@ class Scorer {
     /// Flow fpga_grip: edges of the finished depth buffer. Throws as above.
     Scorer(Stimulus const& stimulus, EdgeExtractionConfig const& edge_extraction);
 
+    /// From now on, hidden pixels too; key accelerator.inlier_unit.hidden.
+    void count_hidden() { counts_hidden_ = true; }
+
     /// Scores one sample; throws std::out_of_range if there is no such sample.
     SampleCounters run(std::size_t sample);
 
@@ -47,6 +50,7 @@ class Scorer {
     Stimulus const& stimulus_;
     EdgeMapConfig edge_map_;
     std::optional<EdgeExtractionConfig> edge_extraction_;  // of flow fpga_grip
+    bool counts_hidden_ = false;
     FragmentDepth fragment_depth_;
     std::optional<VertexTransform> vertex_transform_;  // of a posed stimulus
     SampleMaps maps_;

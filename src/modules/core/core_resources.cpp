@@ -7,6 +7,7 @@
 #include "faster/config/sweep_design.hpp"
 #include "faster/config/synthesized_units.hpp"
 #include "faster/dataflow_names.hpp"
+#include "modules/core/conditions.hpp"
 #include "modules/core/counted_resources.hpp"
 #include "modules/core/lane_resources.hpp"
 #include "modules/core/raster_core_description.hpp"
@@ -171,7 +172,7 @@ class CoreCount {
         InlierUnitConfig const& unit = config_.inlier_unit;
         bool const own_depth = contour_has_depth(config_);
         bool const has_lines = !own_depth && unit.neighbour_access == NeighbourAccess::window;
-        return with_sweep_lanes(
+        UnitLogic logic = with_sweep_lanes(
             "lane_sweep",
             synthesized_logic("inlier_unit",
                               {window(), vertex_xy(), reciprocal_bits(),
@@ -181,6 +182,11 @@ class CoreCount {
                                choice_key("clearing", unit.clearing == MapClearing::on_read_out, "on_read_out"),
                                choice_key("fragment_loop", unit.fragment_loop == FragmentLoop::flattened, "flattened"),
                                choice_key("neighbour_access", has_lines, "window")}));
+        if (counts_hidden(config_))
+            logic += unit.sweep_lanes > 1
+                         ? synthesized_logic("lane_hidden_pixels", {number_key("lanes", unit.sweep_lanes, 1)})
+                         : synthesized_logic("hidden_pixels", {});
+        return logic;
     }
 
     AcceleratorConfig const& config_;

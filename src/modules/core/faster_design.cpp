@@ -71,6 +71,8 @@ std::string FasterDesign::why_not_retimable(std::string const& key) const {
         return "decides which operations there are, not when";
     if (starts_with(key, "accelerator.brams."))
         return "decides how many iterations a wide clearing loop has";
+    if (key == "accelerator.inlier_unit.hidden")
+        return "decides what is counted";
     if (starts_with(key, "accelerator.inlier_unit.") || key == "accelerator.edge_map.clearing")
         return "decides which operations there are, not only when";
     return Design::why_not_retimable(key);
@@ -88,6 +90,8 @@ std::vector<ColumnFacts> const& FasterDesign::counters() const {
     static std::vector<ColumnFacts> const all(std::begin(sample_counters), std::end(sample_counters));
     return all;
 }
+
+std::size_t FasterDesign::counters_of_all() const { return counters_of(false); }
 
 }  // namespace faster
 

@@ -19,6 +19,7 @@ class FasterDesign final : public Design {
     /// Of a stimulus trace.
     std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const override;
     std::vector<ColumnFacts> const& counters() const override;
+    std::size_t counters_of_all() const override;
     std::string workload_table() const override { return "poses.csv"; }
     std::string main_counter() const override { return "inlier"; }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "faster/config/lane_design.hpp"
+#include "modules/core/conditions.hpp"
 
 namespace faster {
 
@@ -46,8 +47,11 @@ UnitLogic output_of_map(AcceleratorConfig const& config) {
                       {buffers_key(config.edge_map.buffers), window_key(config)});
 }
 UnitLogic sweep(AcceleratorConfig const& config) {
-    return lane_logic("lane_sweep", config.inlier_unit.sweep_lanes,
-                      {region_key(config), buffers_key(config.inlier_unit.buffers), window_key(config)});
+    UnitLogic logic = lane_logic("lane_sweep", config.inlier_unit.sweep_lanes,
+                                 {region_key(config), buffers_key(config.inlier_unit.buffers), window_key(config)});
+    if (counts_hidden(config))
+        logic += lane_logic("lane_hidden_pixels", config.inlier_unit.sweep_lanes, {});
+    return logic;
 }
 
 }  // namespace

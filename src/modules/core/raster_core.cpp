@@ -183,7 +183,7 @@ RasterCore::Module RasterCore::make_inlier_sweep() {
     return sweep;
 }
 
-Counters RasterCore::result(std::size_t i) const { return values_of(result_collector_.results()[i]); }
+Counters RasterCore::result(std::size_t i) const { return values_of(result_collector_.results()[i], counters()); }
 
 /// By these the rasterizer can be ahead of the last process, and one: all get their headers in one step, and the
 /// observation reader's tokens keep it near the inlier unit. Where a sample may have none, its valid depths keep it

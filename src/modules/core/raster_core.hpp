@@ -7,6 +7,7 @@
 
 #include "channels/pixels_fifo.hpp"
 #include "modules/area_reciprocal/area_reciprocal.hpp"
+#include "modules/core/conditions.hpp"
 #include "modules/core/raster_core_description.hpp"
 #include "modules/edge_map_builder/edge_map_buffers.hpp"
 #include "modules/inlier_unit/depth_buffers.hpp"
@@ -51,6 +52,8 @@ class RasterCore : public DataflowCore {
         return TokenFields<FullBuffer>::layout.size() - (context_.sweeps_touched() ? 0 : region_fields);
     }
 
+    std::size_t counters() const { return counters_of(counts_hidden(context_.config)); }
+
     CoreContext context_;
 
     // What a design does not have is bound to nothing.
@@ -69,7 +72,7 @@ class RasterCore : public DataflowCore {
     ClockedFifo<std::uint8_t> edge_map_{"edge_map", fifo_timing("edge_map"), sweep_lanes()};
     ClockedFifo<std::uint16_t> observed_depth_{"observed_depth", fifo_timing("observed_depth"), sweep_lanes()};
     ClockedFifo<std::uint8_t> observed_edge_{"observed_edge", fifo_timing("observed_edge"), sweep_lanes()};
-    ClockedFifo<SampleCounters> result_{"result", fifo_timing("result")};
+    ClockedFifo<SampleCounters> result_{"result", fifo_timing("result"), 1, counters()};
     ClockedFifo<FragmentIndex> region_{"region", fifo_timing("region")};
     ClockedFifo<std::uint64_t> valid_depth_{"valid_depth", fifo_timing("valid_depth")};
     ClockedFifo<FullMaps> map_full_{"map_full", fifo_timing("map_full"), 1, fields_of<FullMaps>()};

@@ -40,7 +40,15 @@ inline unsigned mask(AcceleratorConfig const& config) {
     return config.rasterizer.lanes > 1 ? static_cast<unsigned>(config.rasterizer.lanes) : 0;
 }
 
+/// A count of hidden pixels, and the first and last row and column of the others.
+inline unsigned hidden(AcceleratorConfig const& config) {
+    bool const counted = config.inlier_unit.hidden == HiddenPixels::counted;
+    return counted ? pixel_count(config) + 4 * bits_for(static_cast<std::uint64_t>(config.window)) : 0;
+}
+
 /// Four counters count pixels of the window once; valid_raster counts redraws too.
-inline unsigned result(AcceleratorConfig const& config) { return 4 * pixel_count(config) + valid_raster; }
+inline unsigned result(AcceleratorConfig const& config) {
+    return 4 * pixel_count(config) + valid_raster + hidden(config);
+}
 
 }  // namespace faster::wires

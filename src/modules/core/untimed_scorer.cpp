@@ -20,7 +20,7 @@ std::int64_t clamped_offset(std::int64_t offset) { return std::clamp<std::int64_
 
 }  // namespace
 
-UntimedScorer::UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map)
+UntimedScorer::UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map, HiddenPixels hidden)
     : stimulus_(stimulus),
       edge_map_(edge_map),
       depth_unit_(stimulus.fraction),
@@ -32,6 +32,8 @@ UntimedScorer::UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge
       depth_row_(static_cast<std::size_t>(stimulus.window)),
       edge_row_(static_cast<std::size_t>(stimulus.window)) {
     window_.side = stimulus.window;
+    if (hidden == HiddenPixels::counted)
+        hidden_sweep_.emplace(stimulus.window, stimulus.fraction.depth_buffer);
 }
 
 SampleCounters UntimedScorer::score(Pose const& pose, SampleInput const& input) {
@@ -290,6 +292,8 @@ void UntimedScorer::sweep_row(int row, SampleCounters& counters) {
     }
     std::size_t const from = static_cast<std::size_t>(row) * side;
     sweep_.sweep(from, side, depth_buffer_.data(), maps_->edge() + from, depth, edges, counters);
+    if (hidden_sweep_)
+        hidden_sweep_->sweep(from, side, depth_buffer_.data(), depth, counters);
 }
 
 }  // namespace faster::datapath

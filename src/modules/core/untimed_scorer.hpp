@@ -1,12 +1,15 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "faster/config/edge_map_config.hpp"
+#include "faster/config/inlier_unit_config.hpp"
 #include "faster/data/stimulus.hpp"
 #include "modules/core/depth.hpp"
 #include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
+#include "modules/inlier_unit/hidden_pixels.hpp"
 #include "modules/inlier_unit/valid_depth_table.hpp"
 #include "modules/inlier_unit/window_sweep.hpp"
 #include "modules/rasterizer/zigzag_scan.hpp"
@@ -28,7 +31,7 @@ class UntimedScorer {
     static bool scores(EdgeMapAlgorithm algorithm) { return algorithm != EdgeMapAlgorithm::threshold; }
 
     /// `stimulus`: a posed one, held by reference; its mesh, camera and observation must not change, its samples may.
-    UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map);
+    UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map, HiddenPixels hidden = HiddenPixels::ignored);
 
     SampleCounters score(Pose const& pose, SampleInput const& input);
 
@@ -59,6 +62,7 @@ class UntimedScorer {
     EdgeMapConfig edge_map_;
     DepthUnit depth_unit_;
     WindowSweep sweep_;
+    std::optional<HiddenSweep> hidden_sweep_;
     ValidDepthTable valid_depths_;
     std::unique_ptr<EdgeMapPolicy> maps_;
     std::vector<ProjectedVertex> vertices_;

@@ -55,6 +55,8 @@ Scoring::Scoring(CoreContext const& core, ProcessClock& clock)
                     contour_has_depth(core.config) ? datapath::ContourDepth::own : datapath::ContourDepth::neighbour) {
     if (core.config.flow == Flow::fpga_grip)
         edge_extractor_.emplace(core, clock);
+    if (counts_hidden(core.config))
+        hidden_sweep_.emplace(core.stimulus.window, core.stimulus.fraction.depth_buffer);
 }
 
 void Scoring::connect(ClockedFifo<std::uint8_t>* edge_map, ClockedFifo<std::uint16_t>& observed_depth,
@@ -111,6 +113,8 @@ void Scoring::sweep(std::vector<std::uint16_t> const& depth_buffer, LaneRows con
             edge_map_ != nullptr ? edge_map_->front() : edge_extractor_->edges() + run.first_pixel;
         window_sweep_.sweep(run.first_pixel, run.pixels, depth_buffer.data(), edge, observed_depth_->front(),
                             observed_edge_->front(), counters);
+        if (hidden_sweep_)
+            hidden_sweep_->sweep(run.first_pixel, run.pixels, depth_buffer.data(), observed_depth_->front(), counters);
         clock_.iterate(ports_, run.tokens);
         if (edge_map_ != nullptr)
             edge_map_->consume(run.tokens);

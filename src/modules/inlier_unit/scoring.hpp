@@ -7,6 +7,7 @@
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
 #include "modules/edge_extractor/edge_extractor.hpp"
+#include "modules/inlier_unit/hidden_pixels.hpp"
 #include "modules/inlier_unit/window_sweep.hpp"
 
 namespace faster {
@@ -40,8 +41,9 @@ class Scoring {
     CoreContext const& core_;
     ProcessClock& clock_;
     datapath::WindowSweep window_sweep_;
-    std::optional<EdgeExtractor> edge_extractor_;    ///< flow fpga_grip
-    ClockedFifo<std::uint8_t>* edge_map_ = nullptr;  ///< null: edges are extracted
+    std::optional<datapath::HiddenSweep> hidden_sweep_;  ///< inlier_unit.hidden counted
+    std::optional<EdgeExtractor> edge_extractor_;        ///< flow fpga_grip
+    ClockedFifo<std::uint8_t>* edge_map_ = nullptr;      ///< null: edges are extracted
     ClockedFifo<std::uint16_t>* observed_depth_ = nullptr;
     ClockedFifo<std::uint8_t>* observed_edge_ = nullptr;
     timing::Ports ports_;

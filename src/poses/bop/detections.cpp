@@ -26,10 +26,6 @@ class DetectionReader {
     }
     std::vector<std::string> warnings(std::filesystem::path const& path) const {
         std::vector<std::string> warnings;
-        if (beyond_ > 0)
-            warnings.push_back(fmt::format(
-                "{}: {} of {} scores are no confidences from 0 to 1, the first is {}: taken for the nearer of the two",
-                path.string(), beyond_, read_, first_beyond_));
         if (missing_ > 0)
             warnings.push_back(
                 fmt::format("{}: {} of {} detections have no score, expected a confidence from 0 to 1: "
@@ -58,13 +54,12 @@ class DetectionReader {
         }
         constexpr double rounding = 1e-6;
         double const given = score->number(), taken = std::clamp(given, 0.0, 1.0);
-        if (std::abs(given - taken) > rounding && beyond_++ == 0)
-            first_beyond_ = given;
+        if (std::abs(given - taken) > rounding)
+            score->fail("a confidence from 0 to 1");
         return taken;
     }
 
-    std::size_t read_ = 0, beyond_ = 0, missing_ = 0;
-    double first_beyond_ = 0;
+    std::size_t read_ = 0, missing_ = 0;
 };
 
 Json json_of(Detection const& detection) {

@@ -22,17 +22,26 @@ double confidence_of(estimation::Scene const& scene, estimation::Particle const&
     return scene.boxes.empty() ? 0 : scene.boxes[particle.box].confidence;
 }
 
+estimation::BoxFit fit_of(DetectionConfig const& covered, DetectionConfig const& box) {
+    return {estimation::overlap_share(covered, box), estimation::share_inside(covered, box)};
+}
+
 /// By the few vertices that reach furthest.
 estimation::BoxFit fit_of(estimation::Scene const& scene, estimation::Particle const& particle, Pose const& pose) {
     if (scene.boxes.empty())
         return {};
-    DetectionConfig const covered = estimation::box_around(scene.size.outline, pose, scene.observed.posed.camera);
-    DetectionConfig const& box = scene.boxes[particle.box];
-    return {estimation::overlap_share(covered, box), estimation::share_inside(covered, box)};
+    return fit_of(estimation::box_around(scene.size.outline, pose, scene.observed.posed.camera),
+                  scene.boxes[particle.box]);
+}
+
+bool counts_hidden(RunConfig const& config) {
+    return estimator_of(config).backend == EstimatorBackend::accelerator &&
+           accelerator_of(config).inlier_unit.hidden == HiddenPixels::counted;
 }
 
 estimation::TermSettings term_settings_of(RunConfig const& config) {
-    return {estimator_of(config).in_box, estimator_of(config).least_drawn_px};
+    return {estimator_of(config).in_box, estimator_of(config).least_drawn_px,
+            counts_hidden(config) ? estimator_of(config).hidden : 0};
 }
 
 std::vector<Pose> poses_of(estimation::Scene const& scene, std::vector<estimation::Particle> const& particles) {
@@ -50,7 +59,10 @@ class AcceleratorScorer final : public IterationScorer {
     using Count = std::function<std::vector<SampleCounters>()>;
 
     AcceleratorScorer(RunConfig const& config, estimation::Scene& scene, Count count)
-        : scene_(scene), settings_(term_settings_of(config)), count_(std::move(count)) {}
+        : scene_(scene),
+          settings_(term_settings_of(config)),
+          has_visible_box_(counts_hidden(config) && estimator_of(config).visible_box),
+          count_(std::move(count)) {}
 
     std::vector<estimation::WeightTerms> score(std::vector<estimation::Particle> const& particles) override {
         last_.poses = poses_of(scene_, particles);
@@ -59,14 +71,22 @@ class AcceleratorScorer final : public IterationScorer {
         std::vector<estimation::WeightTerms> terms;
         for (std::size_t i = 0; i < particles.size(); ++i)
             terms.push_back(estimation::terms_of(last_.counters[i], confidence_of(scene_, particles[i]),
-                                                 fit_of(scene_, particles[i], last_.poses[i]), settings_));
+                                                 fit(particles[i], i), settings_));
         return terms;
     }
     ScoredPoses const& last() const override { return last_; }
 
   private:
+    estimation::BoxFit fit(estimation::Particle const& particle, std::size_t i) const {
+        if (!has_visible_box_ || scene_.boxes.empty())
+            return fit_of(scene_, particle, last_.poses[i]);
+        return fit_of(estimation::visible_box(last_.counters[i], scene_.observed.samples[i], scene_.observed.window),
+                      scene_.boxes[particle.box]);
+    }
+
     estimation::Scene& scene_;
     estimation::TermSettings settings_;
+    bool has_visible_box_;
     Count count_;
     ScoredPoses last_;
 };

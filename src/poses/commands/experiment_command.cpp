@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <fmt/format.h>
@@ -237,6 +238,32 @@ void write_failures(fs::path const& out, std::vector<Failure> const& failures, s
     }
 }
 
+/// How far the verdict may be believed: estimates of each, and how many of them are right.
+std::string verdicts_table(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
+                           JudgedErrors const& errors, std::vector<SettingData> const& settings,
+                           std::vector<MethodData> const& methods) {
+    constexpr double right_m = 0.02;
+    std::string text =
+        "| setting | method | found | of them below 2 cm | others | of them below 2 cm |\n"
+        "| --- | --- | --- | --- | --- | --- |\n";
+    for (SettingData const& setting : settings)
+        for (MethodData const& method : methods) {
+            std::array<std::size_t, 2> all{}, right{};  // found, others
+            for (WantedEstimate const& each : wanted) {
+                experiments::EstimateResult const* const result = journal.find(each.id);
+                if (each.setting != &setting || each.method != &method || result == nullptr)
+                    continue;
+                std::size_t const verdict = result->verdict == "found" ? 0 : 1;
+                std::optional<JudgedError> const off = errors.of(each);
+                ++all[verdict];
+                right[verdict] += off && off->adds_m < right_m ? 1U : 0U;
+            }
+            fmt::format_to(std::back_inserter(text), "| {} | {} | {} | {} | {} | {} |\n", setting.name, method.name,
+                           all[0], right[0], all[1], right[1]);
+        }
+    return text;
+}
+
 /// Makes the scenes of an experiment file, looks for every object with every method, and judges what came out. Goes on
 /// where it was if it has been interrupted. Throws InputError on bad input. Exit code 1 if an estimate crashed.
 int experiment(ExperimentRequest const& request) {
@@ -261,7 +288,9 @@ int experiment(ExperimentRequest const& request) {
     io::write_file_atomically(out / "estimates.csv", estimates_csv(wanted, journal, errors));
     std::vector<Failure> const failures = failures_among(wanted, journal, errors, jobs);
     write_failures(out, failures, settings, request.failures);
-    fmt::print("\n# failures by reason\n\n{}\nwritten: {}\n", failures_table(failures, settings, methods), request.out);
+    fmt::print("\n# failures by reason\n\n{}\n# verdicts\n\n{}\nwritten: {}\n",
+               failures_table(failures, settings, methods), verdicts_table(wanted, journal, errors, settings, methods),
+               request.out);
     return worker.failed() == 0 ? exit_done : exit_failed_check;
 }
 

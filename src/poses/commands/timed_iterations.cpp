@@ -38,6 +38,7 @@ std::string text_of(RunStatistics const& run) {
     RunPower const power = power_of(run);
     std::string text =
         std::to_string(run.total_cycles) + text_of(power.energy_mj) + text_of(sum(power.static_w, power.ps_w));
+    text += ' ' + std::to_string(run.samples.empty() ? 0 : run.samples.front().counters.size());
     for (SampleStatistics const& sample : run.samples)
         for (std::uint64_t const value : sample.counters)
             text += ' ' + std::to_string(value);
@@ -51,9 +52,11 @@ SimulatedIteration iteration_from(std::string const& text) {
     numbers >> cost.cycles;
     for (Estimate* const estimate : {&cost.energy_mj, &cost.idle_w})
         numbers >> estimate->low >> estimate->typical >> estimate->high;
+    std::ptrdiff_t of_sample = 0;
+    numbers >> of_sample;
     std::vector<std::uint64_t> const values{std::istream_iterator<std::uint64_t>(numbers), {}};
-    for (auto from = values.begin(); from != values.end(); from += sample_counter_count)
-        iteration.counters.push_back(counters_from({from, from + sample_counter_count}));
+    for (auto from = values.begin(); from != values.end(); from += of_sample)
+        iteration.counters.push_back(counters_from({from, from + of_sample}));
     return iteration;
 }
 

@@ -15,7 +15,7 @@ class CounterScorer::Worker {
   public:
     Worker(Stimulus const& stimulus, AcceleratorConfig const& config) : stimulus_(stimulus), config_(config) {
         if (config.flow == Flow::faster && datapath::UntimedScorer::scores(config.edge_map.algorithm))
-            scorer_ = std::make_unique<datapath::UntimedScorer>(stimulus, config.edge_map);
+            scorer_ = std::make_unique<datapath::UntimedScorer>(stimulus, config.edge_map, config.inlier_unit.hidden);
     }
 
     void score(std::size_t first, std::size_t end, std::vector<SampleCounters>& counters) {
@@ -30,6 +30,8 @@ class CounterScorer::Worker {
         reference::Scorer scorer = config_.flow == Flow::fpga_grip
                                        ? reference::Scorer(stimulus_, config_.edge_extraction)
                                        : reference::Scorer(stimulus_, config_.edge_map);
+        if (config_.inlier_unit.hidden == HiddenPixels::counted)
+            scorer.count_hidden();
         for (std::size_t i = first; i < end; ++i)
             counters[i] = scorer.run(i);
     }

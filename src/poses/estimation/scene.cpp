@@ -68,6 +68,17 @@ bool overlaps(DetectionConfig const& box, int width, int height) {
     return box.left < width && box.top < height && box.left + box.width > 0 && box.top + box.height > 0;
 }
 
+DetectionConfig visible_box(SampleCounters const& counters, SampleInput const& sample, int window) {
+    if (counters.visible_top == 0)
+        return {};
+    DetectionConfig box;
+    box.left = sample.centre_col - window / 2 + static_cast<double>(counters.visible_left);
+    box.top = sample.centre_row - window / 2 + static_cast<double>(counters.visible_top);
+    box.width = static_cast<double>(counters.visible_right - counters.visible_left) + 1;
+    box.height = static_cast<double>(counters.visible_bottom - counters.visible_top) + 1;
+    return box;
+}
+
 double overlap_share(DetectionConfig const& a, DetectionConfig const& b) {
     double const common = common_area(a, b);
     double const together = a.width * a.height + b.width * b.height - common;

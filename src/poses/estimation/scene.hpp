@@ -34,6 +34,9 @@ void centre_mesh(Scene& scene);
 /// some point is nearer than 0.1 m.
 DetectionConfig box_around(std::vector<Eigen::Vector3d> const& points, Pose const& pose, Camera const& camera);
 
+/// The box of drawn, not hidden pixels that a sample's counters tell, in the image; of no width if there are none.
+DetectionConfig visible_box(SampleCounters const& counters, SampleInput const& sample, int window);
+
 /// Area that two boxes have in common, as a share of what they cover together; 0 if they cover nothing.
 double overlap_share(DetectionConfig const& a, DetectionConfig const& b);
 

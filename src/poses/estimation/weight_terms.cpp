@@ -46,7 +46,9 @@ WeightTerms terms_of(SampleCounters const& counters, double confidence, BoxFit c
     terms.box = confidence;
     if (counters.valid_raster < settings.least_drawn)
         return terms;
-    terms.raw = std::min(1.0, ratio(counters.inlier, counters.valid_raster));
+    double const looked_for =
+        static_cast<double>(counters.valid_raster) - settings.hidden * static_cast<double>(counters.hidden);
+    terms.raw = looked_for > 0 ? std::min(1.0, static_cast<double>(counters.inlier) / looked_for) : 0;
     terms.in_box = in_box_by_counters(settings.in_box, terms.raw, fit);
     terms.edge = ratio(counters.edge_inlier, counters.valid_edge);
     return terms;

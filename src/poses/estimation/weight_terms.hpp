@@ -28,11 +28,12 @@ struct BoxFit {
 struct TermSettings {
     InBoxTerm in_box = InBoxTerm::overlap;
     std::uint64_t least_drawn = 0;  ///< a sample that drew less has no terms but that of its box
+    double hidden = 0;              ///< share of the hidden pixels that does not count as drawn
 };
 
-/// Of the accelerator's counters: I_r = inlier / valid_raster, at most 1 (pixels of the contour are inliers too, but no
-/// draws), I_e = edge_inlier / valid_edge. Counters do not say where the inliers lie: for I_b by points, they are taken
-/// as spread evenly over what the sample covers.
+/// Of the accelerator's counters: I_r = inlier / (valid_raster - settings.hidden hidden), at most 1 (pixels of the
+/// contour are inliers too, but no draws), I_e = edge_inlier / valid_edge. Counters do not say where the inliers lie:
+/// for I_b by points, they are taken as spread evenly over what the sample covers.
 WeightTerms terms_of(SampleCounters const& counters, double confidence, BoxFit const& fit,
                      TermSettings const& settings);
 

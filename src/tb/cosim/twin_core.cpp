@@ -21,6 +21,7 @@ template <class Core> void set_common(Core& core, TwinSettings const& settings) 
     core.depth_buffer_fraction = static_cast<CData>(settings.fraction.depth_buffer);
     core.forwards_depth_buffer = settings.forwards;
     core.reciprocals_squeeze = settings.reciprocals_squeeze;
+    core.counts_hidden = settings.counts_hidden;
     core.area_reciprocal_interval = settings.area_reciprocal_interval;
     core.object_map_ports = settings.ports[1];
     core.depth_buffer_ports = settings.ports[2];

@@ -45,6 +45,7 @@ struct TwinSettings {
     bool edge_map_clears_on_read_out = false;
     bool inlier_unit_clears_on_read_out = false;
     bool has_line_buffers = false;
+    bool counts_hidden = false;
     bool is_flattened = false;  ///< the loop `fragment`
     bool reciprocals_squeeze = false;
     std::uint8_t area_reciprocal_interval = 1;

@@ -21,6 +21,8 @@ std::vector<Preset> const& Design::presets() const {
     return none;
 }
 
+std::size_t Design::counters_of_all() const { return counters().size(); }
+
 std::string Design::main_counter() const { return counters().empty() ? "" : counters().front().name; }
 
 std::vector<std::filesystem::path> Design::files_of(std::filesystem::path const& folder) const {

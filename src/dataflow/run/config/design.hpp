@@ -42,6 +42,8 @@ class Design {
     virtual std::string workload_table() const;
     /// The counters that a sample's result consists of.
     virtual std::vector<ColumnFacts> const& counters() const = 0;
+    /// How many of them, the first ones, are there in every configuration; the others all or not. All.
+    virtual std::size_t counters_of_all() const;
     /// The one that says most: new budgets guard it. Empty if there are none.
     virtual std::string main_counter() const;
 };

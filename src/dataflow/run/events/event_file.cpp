@@ -1,5 +1,6 @@
 #include "dataflow/run/events/event_file.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 #include <ostream>
@@ -149,7 +150,7 @@ class Reader {
     }
 
     void read_samples(Json const& rows, EventFile& file) {
-        std::size_t const counters = design().counters().size();
+        constexpr std::size_t before_counters = 6;
         std::vector<replay::OperationTape::Block> blocks;
         std::uint64_t at = opening_bytes + std::uint64_t{header_bytes_};
         for (Json const& row : rows) {
@@ -159,8 +160,9 @@ class Reader {
             blocks.push_back({at, value(0), value(1), row.at(2).get<std::uint32_t>()});
             at += value(0);
             SampleStatistics sample{file.samples.size(), value(3), value(4), value(5), {}};
-            for (std::size_t i = 0; i < counters; ++i)
-                sample.counters.push_back(value(6 + i));
+            std::size_t const end = std::min(row.size(), before_counters + design().counters().size());
+            for (std::size_t i = before_counters; i < end; ++i)
+                sample.counters.push_back(value(i));
             file.run.counters.push_back(sample.counters);
             file.samples.push_back(std::move(sample));
         }

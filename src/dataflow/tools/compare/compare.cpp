@@ -156,10 +156,16 @@ std::vector<ConfigurationEntry> fifo_shapes_of(RunRecord const& run) {
     return settings;
 }
 
+/// Where both have them: a design may count more in one configuration than in another.
+bool are_equal(Counters const& a, Counters const& b) {
+    auto const common = static_cast<std::ptrdiff_t>(std::min(a.size(), b.size()));
+    return std::equal(a.begin(), a.begin() + common, b.begin());
+}
+
 std::vector<SampleChange> sample_changes(RunRecord const& a, RunRecord const& b, std::size_t count) {
     std::vector<SampleChange> changes;
     for (std::size_t i = 0; i < count; ++i)
-        if (!(a.samples[i].counters == b.samples[i].counters))
+        if (!are_equal(a.samples[i].counters, b.samples[i].counters))
             changes.push_back({i, a.samples[i].counters, b.samples[i].counters});
     return changes;
 }

@@ -148,7 +148,7 @@ void headline(std::string& text, RunHead const& a, RunHead const& b) {
 
 std::string counter_changes(SampleChange const& change) {
     std::string text;
-    for (std::size_t i = 0; i < change.a.size(); ++i)
+    for (std::size_t i = 0; i < std::min(change.a.size(), change.b.size()); ++i)
         if (change.a[i] != change.b[i])
             text += fmt::format("{}{} {} -> {}", text.empty() ? "" : ", ", design().counters()[i].name, change.a[i],
                                 change.b[i]);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -46,23 +48,34 @@ io::CsvColumn limits_of(ColumnFacts const& column, RunRecord const& run) {
     return {name, min, static_cast<std::int64_t>(largest_figure)};
 }
 
-std::vector<io::CsvColumn> limits_of_samples(RunRecord const& run) {
+/// How many of the design's counters a samples.csv has, by the length of its first line. Names are checked when it is
+/// read.
+std::size_t counters_in(fs::path const& path) {
+    std::ifstream file(path);
+    std::string header;
+    std::getline(file, header);
+    auto const columns = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
+    std::size_t const all = design().counters().size(), always = design().counters_of_all();
+    return columns == std::size(sample_columns) + always ? always : all;
+}
+
+std::vector<io::CsvColumn> limits_of_samples(RunRecord const& run, std::size_t counters) {
     std::vector<io::CsvColumn> limits;
     for (ColumnFacts const& column : sample_columns)
         limits.push_back(limits_of(column, run));
-    for (ColumnFacts const& counter : design().counters())
-        limits.push_back(limits_of(counter, run));
+    for (std::size_t i = 0; i < counters; ++i)
+        limits.push_back(limits_of(design().counters()[i], run));
     return limits;
 }
 
-SampleStatistics sample_of(std::int64_t const* values) {
+SampleStatistics sample_of(std::int64_t const* values, std::size_t counters) {
     SampleStatistics sample;
     for (auto const& column : sample_columns) {
         if (auto* const place = place_of<std::uint64_t>(column, sample))
             *place = static_cast<std::uint64_t>(*values);
         ++values;
     }
-    for (std::size_t i = design().counters().size(); i > 0; --i)
+    for (std::size_t i = counters; i > 0; --i)
         sample.counters.push_back(static_cast<std::uint64_t>(*values++));
     return sample;
 }
@@ -137,8 +150,9 @@ class ExpectedRows {
 /// within its cycles. Throws InputError.
 std::vector<SampleStatistics> read_samples(fs::path const& path, RunRecord const& run, std::uint64_t samples) {
     std::vector<SampleStatistics> records;
-    io::read_csv_integers(path, limits_of_samples(run), [&](std::size_t line, std::int64_t const* values) {
-        SampleStatistics const record = sample_of(values);
+    std::size_t const counters = counters_in(path);
+    io::read_csv_integers(path, limits_of_samples(run, counters), [&](std::size_t line, std::int64_t const* values) {
+        SampleStatistics const record = sample_of(values, counters);
         if (record.sample != records.size())
             fail(path, line,
                  fmt::format("column sample = {}, expected {} (numbered from 0 without gaps)", record.sample,

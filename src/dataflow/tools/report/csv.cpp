@@ -31,8 +31,10 @@ std::string loop_lines(RunStatistics const& run, bool is_in_csv) {
 
 std::string samples_csv(RunStatistics const& run) {
     std::vector<std::string> header = csv_header(sample_columns);
-    for (ColumnFacts const& counter : design().counters())
-        header.emplace_back(counter.name);
+    std::vector<ColumnFacts> const& counters = design().counters();
+    std::size_t const count = run.samples.empty() ? design().counters_of_all() : run.samples.front().counters.size();
+    for (std::size_t i = 0; i < count; ++i)
+        header.emplace_back(counters[i].name);
     std::string text = line(header);
     for (SampleStatistics const& sample : run.samples)
         text += sample_line(sample);

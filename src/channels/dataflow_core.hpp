@@ -127,6 +127,8 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     /// Every process calls this before the first operation of each of its samples. A process that reads no FIFO waits
     /// here for the core's turn before its first sample.
     void begin_sample(std::size_t process);
+    /// So many samples a process has begun.
+    std::size_t begun(std::size_t process) const { return begun_[process]; }
     /// The process that ends samples calls this when it has done all of one.
     void end_sample();
 

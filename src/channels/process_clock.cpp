@@ -12,6 +12,11 @@
 
 namespace dataflow {
 
+namespace {
+/// Of the external memory: docs/memory-model.md.
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 40U;
+}  // namespace
+
 std::uint64_t TimeBase::ticks_per_cycle() const {
     double const seconds = 1e-6 / clock_mhz;
     return std::max<std::uint64_t>(
@@ -35,12 +40,16 @@ void ProcessClock::connect_all() {
                 hand_overs_[end.when] | timing::Ports::of(static_cast<unsigned>(timing_.port_count() - 1));
         may_attempt_.push_back(end.makes_attempts);
     }
-    std::string const loop_of_stream = connect_stream();
+    stream_ = connect_stream();
     for (std::size_t const number : process.loops) {
         MachineLoop const& loop = machine.loops[number];
         timing::LoopShape shape = loop.shape();
-        shape.uses_memory = loop.name == loop_of_stream;
+        bool const is_of_stream = stream_ != nullptr && loop.name == stream_->loop;
+        shape.uses_memory = is_of_stream && !stream_->writes;
+        if (is_of_stream && stream_->writes)
+            shape.writes.push_back({timing_.stream_port(), shape.depth - 1});
         add_loop(std::move(shape), channels_of(loop.writes), channels_of(loop.reads));
+        require_no_late_access(timing_.loops().back());
     }
     set_setup_cycles(process.setup_cycles);
     timing_.set_call_start(process.call_start);
@@ -58,17 +67,29 @@ void ProcessClock::hand_over(FifoEnd::When when) {
         step(ports);
 }
 
-/// Last, though a step accesses it first: so the other ports have the numbers that they always have. Returns the loop
-/// that takes its tokens.
-std::string ProcessClock::connect_stream() {
+/// Last, though a step accesses it first: so the other ports have the numbers that they always have. Null: there is
+/// none.
+MachineStream const* ProcessClock::connect_stream() {
     Machine const& machine = dataflow_core_.machine();
     std::vector<std::size_t> const streams = streams_of(machine);
     for (std::size_t i = 0; i < streams.size(); ++i)
         if (machine.streams[streams[i]].process == timing_.index()) {
             timing_.add_stream(core_.stream(i));
-            return machine.streams[streams[i]].loop;
+            return &machine.streams[streams[i]];
         }
-    return {};
+    return nullptr;
+}
+
+/// The module of a call that is over does not do anything more for it.
+void ProcessClock::require_no_late_access(timing::LoopShape const& loop) const {
+    bool const is_late =
+        std::any_of(loop.reads.begin(), loop.reads.end(), [](timing::LoopRead const& read) { return read.stage > 0; });
+    if (loop.rewinds && (is_late || loop.makes_attempts))
+        throw InputError(
+            "loop " + timing_.name() + "." + loop.name + " rewinds, and " +
+            (is_late ? "reads a FIFO in a later stage than its first" : "accesses a FIFO without waiting") +
+            ", expected accelerator.loops." + timing_.name() + "." + loop.name + ".rewind: false" +
+            (is_late ? ", or read_stage 0" : ""));
 }
 
 timing::Ports ProcessClock::memory_port() const {
@@ -76,7 +97,79 @@ timing::Ports ProcessClock::memory_port() const {
 }
 
 void ProcessClock::tell_entry(timing::MemoryEntry entry) {
+    std::uint64_t tokens = 0;
+    for (timing::MemoryBlock const& block : entry.blocks)
+        tokens += block.all_tokens();
+    tokens_told_ += tokens;
+    if (is_taken_by_loop())
+        entries_told_.push_back(tokens);
+    else
+        tokens_at_hand_ += tokens;
     dataflow_core_.add_entry(timing_.index(), std::move(entry));
+}
+
+void ProcessClock::tell_ranges(std::vector<Range> const& ranges) {
+    if (!uses_memory())
+        return;
+    std::uint64_t const sample = dataflow_core_.begun(timing_.index()) - 1;
+    bool const is_taken_by_steps = stream_->loop.empty() && !stream_->writes;
+    timing::MemoryEntry entry{sample, {}};
+    for (Range const& range : ranges) {
+        if (range.tokens == 0 || range.token_bytes == 0 || range.tokens > most_bytes / range.token_bytes ||
+            range.address > most_bytes - range.tokens * range.token_bytes)
+            throw InputError("module " + timing_.name() + " tells of " + std::to_string(range.tokens) + " tokens of " +
+                             std::to_string(range.token_bytes) + " bytes at the address " +
+                             std::to_string(range.address) + ", expected at least one of each, below " +
+                             std::to_string(most_bytes));
+        entry.blocks.push_back({range.address, range.tokens * range.token_bytes, 0, range.token_bytes, range.tokens});
+        for (std::uint64_t i = 0; is_taken_by_steps && i < range.tokens; ++i)
+            tell_entry({sample, {{range.address + i * range.token_bytes, range.token_bytes, 0, range.token_bytes}}});
+    }
+    tells_ranges_ = true;
+    if (!is_taken_by_steps)
+        tell_entry(std::move(entry));
+}
+
+void ProcessClock::access_memory() {
+    if (!uses_memory())
+        return;
+    require_memory(timing_.stream_port());
+    ++tokens_accessed_;
+    access(memory_port());
+}
+
+/// As the stream's description says, and no more than is told.
+void ProcessClock::require_memory(unsigned port) const {
+    std::string const what = "module " + timing_.name() + " accesses the memory for " + stream_->name;
+    std::string const loop = is_pipelining_ ? timing_.loops()[pipelined_].name : std::string();
+    if (loop != stream_->loop)
+        throw InputError(what + (loop.empty() ? " outside loops" : " in the loop " + loop) + ", expected it " +
+                         (stream_->loop.empty() ? "outside loops, or taken_by() or given_by() in its describe()"
+                                                : "in the loop " + stream_->loop));
+    if (collected_.has(port))
+        throw InputError(what + " twice in a step or an iteration of a loop, expected once");
+    if (tokens_accessed_ == tokens_at_hand_)
+        throw InputError(what + " more often than it has told of tokens, which are " + std::to_string(tokens_at_hand_) +
+                         ", expected tell_ranges() before");
+}
+
+bool ProcessClock::is_taken_by_loop() const { return stream_ != nullptr && !stream_->writes && !stream_->loop.empty(); }
+
+/// Each time that the loop is entered it has an entry, which may have no tokens.
+void ProcessClock::enter_memory() {
+    if (entries_told_.empty())
+        tell_entry({dataflow_core_.begun(timing_.index()) - 1, {}});
+    tokens_at_hand_ += entries_told_.front();
+    entries_told_.pop_front();
+}
+
+void ProcessClock::end_calls() {
+    if (tells_ranges_ && tokens_accessed_ != tokens_told_)
+        throw InputError("module " + timing_.name() + " has told of " + std::to_string(tokens_told_) +
+                         " tokens of the memory for " + stream_->name + ", and accesses " +
+                         std::to_string(tokens_accessed_) + ", expected all of them");
+    timing_.tell_end();
+    follow();
 }
 
 FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
@@ -154,6 +247,8 @@ timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.
 // what it does there. So the process is let go as far as the module has got, step by step.
 
 void ProcessClock::begin_pipeline(unsigned loop, SourceSite site) {
+    if (is_taken_by_loop() && timing_.loops()[loop].uses_memory)
+        enter_memory();
     enter_loop(loop, site);
     std::vector<timing::LoopRead> const& reads = timing_.loops()[loop].reads;
     pipelined_ = loop;

@@ -22,6 +22,7 @@
 namespace dataflow {
 
 class DataflowCore;
+struct MachineStream;
 class FifoChannel;
 
 /// The local time of one process, in cycles; the only way a module lets time pass (docs/timing-model.md#vocabulary).
@@ -59,6 +60,8 @@ class ProcessClock {
     void begin_region() { hand_over(FifoEnd::When::region_begins); }
     void begin_call();
     void end_call() { hand_over(FifoEnd::When::call_ends); }
+    /// No call follows.
+    void end_calls();
 
     /// The process is about to begin its next sample, or has done all of one: see DataflowCore.
     void begin_sample();
@@ -228,14 +231,21 @@ class ProcessClock {
     bool uses_memory() const { return timing_.stream() != nullptr; }
     /// The process's port to the external memory, for an iteration that takes a token, or none if the memory is ideal.
     timing::Ports memory_port() const;
-    /// Takes a token from the memory as an access of a step; nothing if the memory is ideal.
-    void access_memory() {
-        if (uses_memory())
-            access(memory_port());
-    }
+    /// Takes a token from the memory, or gives it one, as an access of a step or of the iteration at hand; nothing if
+    /// the memory is ideal. Errors: InputError where the description says something else, and for a second one.
+    void access_memory();
     /// What the process takes from memory, or puts there, in its next loop or step that it has not told of yet. Any
     /// time before. It must use memory.
     void tell_entry(timing::MemoryEntry entry);
+    /// Tokens of so many bytes, one behind the other from an address on, of the sample that has begun: what the next
+    /// loop or steps take from memory by access_memory(), or give it. Nothing if the memory is ideal. A SampleModule
+    /// takes, or gives, what it has told of, all of it.
+    struct Range {
+        std::uint64_t address = 0;
+        std::uint64_t tokens = 1;
+        std::uint64_t token_bytes = 1;
+    };
+    void tell_ranges(std::vector<Range> const& ranges);
 
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
     /// Errors: InputError for one that is accessed twice in a step or iteration, or that its loop does not name.
@@ -299,7 +309,11 @@ class ProcessClock {
     void wake_behind_flushing();
     void let_out();
 
-    std::string connect_stream();
+    MachineStream const* connect_stream();
+    void require_no_late_access(timing::LoopShape const& loop) const;
+    void require_memory(unsigned port) const;
+    bool is_taken_by_loop() const;
+    void enter_memory();
     void hand_over(FifoEnd::When when);
     bool is_memory(unsigned port) const { return uses_memory() && port == timing_.stream_port(); }
     static timing::Ports read_port_of(FifoChannel const& fifo);
@@ -371,6 +385,12 @@ class ProcessClock {
     std::optional<std::uint64_t> last_attempt_;  // of its body: the step
     timing::Ports attempted_;
     std::vector<bool> may_attempt_;  // by port
+
+    MachineStream const* stream_ = nullptr;
+    std::uint64_t tokens_told_ = 0, tokens_accessed_ = 0;  // of memory, by access_memory()
+    std::uint64_t tokens_at_hand_ = 0;                     // told, of entries that it has come to
+    std::deque<std::uint64_t> entries_told_;               // tokens of the others, if a loop takes them
+    bool tells_ranges_ = false;
 };
 
 /// Accesses through plain ports in this scope happen together, as one step.

@@ -34,6 +34,7 @@ void SampleModule::work_on_all() {
         if (number == core_.machine().ends)
             clock_.end_sample();
     }
+    clock_.end_calls();
 }
 
 }  // namespace dataflow

@@ -27,7 +27,7 @@ constexpr std::size_t by_steps = ~std::size_t{0};
 
 class Maker {
   public:
-    explicit Maker(std::uint64_t seed) : dice_(seed), dice_for_attempts_(~seed) {}
+    explicit Maker(std::uint64_t seed) : dice_(seed), dice_for_attempts_(~seed), dice_for_memory_(seed ^ 0x5A5A5A5A) {}
 
     Design make() {
         add_processes();
@@ -39,6 +39,9 @@ class Maker {
         add_rests();
         design_.cores = dice_.one_in(4) ? 2 : 1;
         design_.samples = dice_.between(1, 3);
+        let_rewind();
+        if (dice_for_memory_.one_in(3))
+            add_memory();
         return design_;
     }
 
@@ -162,6 +165,52 @@ class Maker {
         }
     }
 
+    /// Processes that are one loop, but for waiting. Of the last one the end of a sample is only what is foreseen.
+    void let_rewind() {
+        for (std::size_t i = 0; i + 1 < design_.processes.size(); ++i) {
+            Process& process = design_.processes[i];
+            std::vector<Segment> loops;
+            for (Segment const& segment : process.program)
+                if (segment.kind != Segment::Kind::wait)
+                    loops.push_back(segment);
+            bool const is_plain = std::none_of(process.ends.begin(), process.ends.end(), [&](std::size_t fifo) {
+                return design_.tries(i, fifo) || (!design_.writes(i, fifo) && design_.fifos[fifo].read_stage > 0);
+            });
+            if (loops.size() != 1 || loops.front().kind != Segment::Kind::loop || !is_plain ||
+                !process.buffers.empty() || !process.loops[loops.front().loop].is_pipelined)
+                continue;
+            Loop& loop = process.loops[loops.front().loop];
+            loop.can_rewind = dice_for_memory_.one_in(2);
+            loop.rewinds = loop.can_rewind;
+            if (loop.can_rewind)
+                process.program = loops;
+        }
+    }
+
+    void add_memory() {
+        set_memory(design_.memory, dice_for_memory_);
+        for (Process& process : design_.processes) {
+            if (dice_for_memory_.one_in(2))
+                continue;
+            MemoryPort& port = process.port;
+            port.is_there = true;
+            port.writes = dice_for_memory_.one_in(2);
+            port.token_bytes = dice_for_memory_.one_in(2) ? 4 : dice_for_memory_.between(1, 40);
+            port.address = dice_for_memory_.below(1U << 20U);
+            if (!process.loops.empty() && !dice_for_memory_.one_in(4))
+                port.loop = dice_for_memory_.below(process.loops.size());
+            for (Segment& segment : process.program)
+                access_memory(port, segment);
+        }
+    }
+    void access_memory(MemoryPort const& port, Segment& segment) {
+        bool const is_rare = dice_for_memory_.one_in(2);
+        if (!port.loop && segment.kind == Segment::Kind::step)
+            segment.at_memory.push_back(dice_for_memory_.one_in(2));
+        for (std::size_t i = 0; port.loop && segment.loop == *port.loop && i < segment.iterations.size(); ++i)
+            segment.at_memory.push_back(!is_rare || dice_for_memory_.one_in(2));
+    }
+
     void add_loop(Process& process, std::size_t loop, std::vector<Accesses> iterations) {
         Segment segment;
         segment.kind = Segment::Kind::loop;
@@ -215,6 +264,16 @@ class Maker {
         fifo.depth = dice.one_in(2) ? dice.between(1, 4) : dice.between(3, 40);
         fifo.kind = dice.one_in(2) ? FifoKind::automatic : dice.one_in(2) ? FifoKind::shift_register : FifoKind::memory;
     }
+    static void set_memory(ExternalMemorySettings& memory, Dice& dice) {
+        memory.model = MemoryModel::axi;
+        memory.ports = dice.between(1, 3);
+        memory.port_bytes = 4U << dice.below(4);
+        memory.burst_bytes = memory.port_bytes << dice.below(4);
+        memory.outstanding = dice.between(1, 5);
+        memory.request_cycles = dice.below(12);
+        memory.read_latency_ns = static_cast<double>(dice.below(150));
+        memory.dram_gb_per_s = dice.one_in(2) ? 20 : 1;
+    }
     static void set_pace(Loop& loop, Dice& dice) {
         loop.ii = dice.one_in(2) ? 1 : dice.between(1, 5);
         loop.recurrence = dice.one_in(4) ? dice.between(1, 4) : 1;
@@ -223,6 +282,7 @@ class Maker {
   private:
     Dice dice_;
     Dice dice_for_attempts_;
+    Dice dice_for_memory_;
     Design design_;
 };
 
@@ -254,6 +314,8 @@ ModuleDescription module_of(Design const& design, std::size_t number) {
         LoopDescription& described = module.loop(loop.name).does("works").of_depth(loop.depth);
         if (!loop.is_pipelined)
             described.of_states(loop.depth).enters_in(loop.entry).leaves_in(loop.exit);
+        if (loop.can_rewind)
+            described.rewinds();
         std::vector<std::string> written, read;
         for (std::size_t const f : process.ends)
             (design.writes(number, f) ? written : read).push_back(design.fifos[f].name);
@@ -268,6 +330,12 @@ ModuleDescription module_of(Design const& design, std::size_t number) {
             pattern.writes.push_back({0, static_cast<int>(i)});
         described.accesses_memory(memory, pattern);
     }
+    if (process.port.is_there) {
+        StreamDescription& stream =
+            process.port.writes ? module.stores(process.name + "_port") : module.fetches(process.name + "_port");
+        if (process.port.loop)
+            stream.taken_by(process.loops[*process.port.loop].name);
+    }
     if (uses_memory)
         module.memory(memory).holds("numbers").of_words(16, 16, 32);
     return module;
@@ -278,8 +346,12 @@ ModuleDescription module_of(Design const& design, std::size_t number) {
 Design random_design(std::uint64_t seed) { return Maker(seed).make(); }
 
 Design retimed(Design const& design, std::uint64_t seed) {
-    Dice dice(seed);
+    Dice dice(seed), dice_for_memory(seed + 1);
     Design other = design;
+    if (design.has_memory() && dice_for_memory.one_in(6))
+        other.memory.model = MemoryModel::ideal;
+    else if (design.has_memory())
+        Maker::set_memory(other.memory, dice_for_memory);
     for (Fifo& fifo : other.fifos)
         if (dice.one_in(2))
             Maker::set_room(fifo, dice);
@@ -289,6 +361,8 @@ Design retimed(Design const& design, std::uint64_t seed) {
                 Maker::set_pace(loop, dice);
                 loop.entry = loop.is_pipelined ? 0 : dice.below(4);
             }
+        for (Loop& loop : process.loops)
+            loop.rewinds = loop.can_rewind && dice_for_memory.one_in(2);
         if (dice.one_in(4))
             process.starts = dice.below(9);
     }
@@ -311,6 +385,7 @@ MachineSettings settings_of(Design const& design) {
     settings.calls = design.calls;
     settings.cores = design.cores;
     settings.fifo_rules = design.rules;
+    settings.external_memory = design.memory;
     for (Fifo const& fifo : design.fifos) {
         settings.fifo(fifo.name).depth = fifo.depth;
         settings.fifo(fifo.name).kind = fifo.kind;
@@ -326,6 +401,8 @@ MachineSettings settings_of(Design const& design) {
             }
             of_loop.ii = loop.ii;
             of_loop.recurrence_ii = loop.recurrence;
+            if (loop.can_rewind)
+                of_loop.rewind = loop.rewinds;
             if (loop.reads + loop.writes > 0)
                 settings.memory("memory_of_" + process.name).ports = process.memory_ports;
         }
@@ -347,7 +424,12 @@ std::uint64_t accesses_of(Design const& design, std::size_t process, std::size_t
 std::string text_of(Design const& design) {
     std::string text = std::to_string(design.cores) + " cores, " + std::to_string(design.samples) + " samples, rules " +
                        std::to_string(static_cast<int>(design.rules)) +
-                       (design.calls == CallOrder::in_turn ? ", calls in turn\n" : "\n");
+                       (design.calls == CallOrder::in_turn ? ", calls in turn" : "") +
+                       (design.has_memory() ? ", memory of " + std::to_string(design.memory.ports) + " ports of " +
+                                                  std::to_string(design.memory.port_bytes) + ", bursts of " +
+                                                  std::to_string(design.memory.burst_bytes) + ", " +
+                                                  std::to_string(design.memory.outstanding) + " outstanding\n"
+                                            : "\n");
     for (Fifo const& fifo : design.fifos)
         text += fifo.name + ": " + design.processes[fifo.writer].name + " (stage " + std::to_string(fifo.write_stage) +
                 ") to " + design.processes[fifo.reader].name + " (stage " + std::to_string(fifo.read_stage) +
@@ -361,9 +443,15 @@ std::string text_of(Design const& design) {
         return names;
     };
     for (Process const& process : design.processes) {
-        text += process.name + (process.takes_early ? " (takes early)" : "") +
-                (process.tries_early ? " (tries early):" : ":") + list(process.ends) + ", starts " +
-                std::to_string(process.starts) + ", buffers" + list(process.buffers) + "\n";
+        text +=
+            process.name + (process.takes_early ? " (takes early)" : "") +
+            (process.tries_early ? " (tries early):" : ":") + list(process.ends) + ", starts " +
+            std::to_string(process.starts) + ", buffers" + list(process.buffers) +
+            (process.port.is_there ? std::string(process.port.writes ? ", writes" : ", reads") + " memory by " +
+                                         (process.port.loop ? "loop" + std::to_string(*process.port.loop) : "steps") +
+                                         ", tokens of " + std::to_string(process.port.token_bytes)
+                                   : "") +
+            "\n";
         for (Loop const& loop : process.loops)
             text +=
                 "  " + loop.name + ": II " + std::to_string(loop.ii) + ", recurrence " +
@@ -371,7 +459,7 @@ std::string text_of(Design const& design) {
                 (loop.is_pipelined ? ""
                                    : " states and " + std::to_string(loop.entry) + " + " + std::to_string(loop.exit)) +
                 ", memory " + std::to_string(loop.reads) + " + " + std::to_string(loop.writes) + " on " +
-                std::to_string(process.memory_ports) + "\n";
+                std::to_string(process.memory_ports) + (loop.rewinds ? ", rewinds\n" : "\n");
         for (Segment const& segment : process.program)
             text += segment.kind == Segment::Kind::wait   ? "  wait " + std::to_string(segment.cycles) + "\n"
                     : segment.kind == Segment::Kind::rest ? "  rest" + list(segment.step) + "\n"

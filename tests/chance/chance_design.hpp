@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,7 @@ struct Loop {
     bool is_pipelined = true;  ///< otherwise, `depth` states, and those around:
     Cycles entry = 0, exit = 0;
     unsigned reads = 0, writes = 0;  ///< of the process's memory, per iteration
+    bool can_rewind = false, rewinds = false;
 };
 
 /// Some cycles, one step, or all of a loop: an iteration for each list of accesses. Or a read a cycle of what is left
@@ -47,6 +50,24 @@ struct Segment {
     Accesses step;
     std::size_t loop = 0;
     std::vector<Accesses> iterations;
+    std::vector<bool> at_memory;  ///< whether each iteration, or the step, accesses the external memory
+    bool is_at_memory(std::size_t i) const { return i < at_memory.size() && at_memory[i]; }
+    std::uint64_t tokens() const {
+        return static_cast<std::uint64_t>(std::count(at_memory.begin(), at_memory.end(), true));
+    }
+};
+
+/// A process's port to the external memory.
+struct MemoryPort {
+    bool is_there = false, writes = false;
+    std::optional<std::size_t> loop;  ///< none: steps access it
+    std::uint64_t token_bytes = 1;
+    std::uint64_t address = 0;
+
+    /// Of the i-th token of a sample's n-th loop or step: anywhere.
+    std::uint64_t address_of(std::size_t sample, std::size_t segment) const {
+        return address + (97 * sample + 1313 * segment) % 4099;
+    }
 };
 
 struct Process {
@@ -56,6 +77,7 @@ struct Process {
     Cycles starts = 0;
     std::vector<Loop> loops;
     std::uint64_t memory_ports = 2;
+    MemoryPort port;
     std::vector<Segment> program;  ///< of every sample
     bool takes_early = false;      ///< reads by plain ports where that is allowed
     bool tries_early = false;      ///< in the body of an iteration, where that is allowed
@@ -66,12 +88,20 @@ struct Design {
     std::vector<Process> processes;
     FifoGeneration rules = FifoGeneration::vitis_hls;
     CallOrder calls = CallOrder::overlapped;
+    ExternalMemorySettings memory;
     std::uint64_t cores = 1;
     std::size_t samples = 1;
 
     bool writes(std::size_t process, std::size_t fifo) const { return fifos[fifo].writer == process; }
     bool tries(std::size_t process, std::size_t fifo) const {
         return writes(process, fifo) ? fifos[fifo].writer_tries : fifos[fifo].reader_tries;
+    }
+    bool has_memory() const { return memory.model == MemoryModel::axi; }
+    /// Calls of a process are one loop after the other, without a gap.
+    bool rewinds(Process const& process) const {
+        return calls == CallOrder::overlapped && process.program.size() == 1 &&
+               process.program.front().kind == Segment::Kind::loop &&
+               process.loops[process.program.front().loop].rewinds;
     }
     Cycles stage(std::size_t process, std::size_t fifo) const {
         return writes(process, fifo) ? fifos[fifo].write_stage : fifos[fifo].read_stage;

@@ -50,15 +50,24 @@ class ChanceModule : public SampleModule {
     void work(std::size_t sample) override {
         exchange_buffers(static_cast<Token>(sample));
         std::vector<Token> const before = next_;
-        for (Segment const& segment : process().program)
+        for (Segment const& segment : process().program) {
+            tell_memory(sample, segment);
             if (segment.kind == Segment::Kind::wait)
                 clock_.advance(segment.cycles);
             else if (segment.kind == Segment::Kind::step)
-                do_step(segment.step);
+                do_step(segment);
             else if (segment.kind == Segment::Kind::rest)
                 read_rest(segment.step.front(), before);
             else
                 do_loop(segment);
+        }
+    }
+
+    void tell_memory(std::size_t sample, Segment const& segment) {
+        if (segment.tokens() > 0)
+            clock_.tell_ranges(
+                {{process().port.address_of(sample, static_cast<std::size_t>(&segment - process().program.data())),
+                  segment.tokens(), process().port.token_bytes}});
     }
 
     /// Each has the number of its sample.
@@ -72,11 +81,14 @@ class ChanceModule : public SampleModule {
         }
     }
 
-    void do_step(Accesses const& accesses) {
-        if (accesses.size() == 1 && !tries(accesses.front())) {
+    void do_step(Segment const& segment) {
+        Accesses const& accesses = segment.step;
+        if (accesses.size() == 1 && !tries(accesses.front()) && !segment.is_at_memory(0)) {
             access(accesses.front());
         } else {
             Step const step(clock_);
+            if (segment.is_at_memory(0))
+                clock_.access_memory();
             for (std::size_t const fifo : accesses)
                 if (!tries(fifo))
                     access(fifo);
@@ -98,6 +110,8 @@ class ChanceModule : public SampleModule {
     void do_loop(Segment const& segment) {
         unsigned const loop = clock_.loop(process().loops[segment.loop].name);
         clock_.pipeline(process().loops[segment.loop].name, segment.iterations.size(), [&](std::uint64_t i) {
+            if (segment.is_at_memory(i))
+                clock_.access_memory();
             for (std::size_t const one : segment.iterations[i])
                 if (tries(one))
                     continue;
@@ -149,7 +163,8 @@ class ChanceModule : public SampleModule {
     }
     /// Read by a plain port.
     bool is_first_stage(std::size_t fifo) const {
-        Cycles first = design().stage(number_, fifo);
+        MemoryPort const& port = process().port;
+        Cycles first = port.is_there && port.loop && !port.writes ? 0 : design().stage(number_, fifo);
         for (std::size_t const other : process().ends)
             first = std::min(first, design().stage(number_, other));
         return first == 0 ? design().stage(number_, fifo) == 0

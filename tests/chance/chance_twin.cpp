@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
+
+#include "support/memory_twin.hpp"
 
 namespace faster::chance {
 
@@ -17,8 +20,16 @@ struct Step {
     std::optional<std::size_t> begins;  ///< the first step of this sample of the core
     std::optional<std::size_t> calls;   ///< the first of what the process does in it, behind its start
     std::optional<std::size_t> ends;    ///< the last
+    std::optional<std::size_t> enters;  ///< an entry of the external memory
+    std::optional<std::pair<std::size_t, std::size_t>> token;  ///< of an entry, that it takes or gives
 };
 using Steps = std::vector<Step>;
+
+/// What a process does, and what it has to do with the external memory.
+struct Program {
+    Steps steps;
+    std::vector<testing::TwinRanges> entries;
+};
 
 Cycles interval_of(Process const& process, Loop const& loop) {
     if (!loop.is_pipelined)
@@ -27,17 +38,19 @@ Cycles interval_of(Process const& process, Loop const& loop) {
     return std::max({loop.ii, loop.recurrence, of_ports});
 }
 
-void append_loop(Design const& design, std::size_t number, Segment const& segment, Steps& steps) {
+/// Appends all of a loop whose first iteration begins at a step, and returns the step in which another might begin.
+std::size_t append_loop(Design const& design, std::size_t number, Segment const& segment, std::size_t begin,
+                        Steps& steps) {
     Process const& process = design.processes[number];
     Loop const& loop = process.loops[segment.loop];
     Cycles const interval = interval_of(process, loop);
-    std::size_t const begin = steps.size() + loop.entry;
-    steps.resize(begin + (segment.iterations.size() - 1) * interval + loop.depth + loop.exit);
+    steps.resize(std::max(steps.size(), begin + (segment.iterations.size() - 1) * interval + loop.depth + loop.exit));
     for (std::size_t i = 0; i < segment.iterations.size(); ++i)
         for (std::size_t const fifo : segment.iterations[i]) {
             Step& step = steps.at(begin + i * interval + design.stage(number, fifo));
             (design.tries(number, fifo) ? step.attempts : step.accesses).push_back(fifo);
         }
+    return begin + segment.iterations.size() * interval;
 }
 
 void append_step(Design const& design, std::size_t number, Accesses const& accesses, Steps& steps) {
@@ -53,14 +66,46 @@ void append_rest(std::size_t fifo, std::uint64_t until, Steps& steps) {
     steps.back().rest_until = until;
 }
 
-Steps steps_of(Design const& design, std::size_t number, std::size_t samples) {
+/// A loop comes to an entry when it is entered, `entry` states before its first iteration; a step to one of its own.
+void mark_memory(Design const& design, std::size_t number, std::size_t sample, Segment const& segment,
+                 std::size_t begin, Program& program) {
     Process const& process = design.processes[number];
-    Steps steps;
+    bool const is_loop = segment.kind == Segment::Kind::loop;
+    bool const is_there = design.has_memory() && process.port.is_there &&
+                          (is_loop ? process.port.loop == segment.loop : segment.tokens() > 0);
+    if (!is_there)
+        return;
+    testing::TwinRange const range{
+        process.port.address_of(sample, static_cast<std::size_t>(&segment - process.program.data())),
+        std::vector<std::uint64_t>(segment.tokens(), process.port.token_bytes)};
+    std::size_t const entry = program.entries.size();
+    program.entries.push_back({range});
+    Loop const* const loop = is_loop ? &process.loops[segment.loop] : nullptr;
+    if (!process.port.writes)
+        program.steps.at(begin - (is_loop ? loop->entry : 0)).enters = entry;
+    std::size_t token = 0;
+    for (std::size_t i = 0; i < segment.at_memory.size(); ++i)
+        if (segment.at_memory[i]) {
+            std::size_t const of_iteration = is_loop ? i * interval_of(process, *loop) : 0;
+            program.steps.at(begin + of_iteration + (is_loop && process.port.writes ? loop->depth - 1 : 0)).token = {
+                entry, token++};
+        }
+}
+
+/// `first`: sample of the run that the core begins with.
+Program program_of(Design const& design, std::size_t number, std::size_t first, std::size_t samples) {
+    Process const& process = design.processes[number];
+    Program program;
+    Steps& steps = program.steps;
+    std::size_t next = 0;  // step of the next iteration, of a process that rewinds
     for (std::size_t sample = 0; sample < samples; ++sample) {
-        std::size_t const begin = steps.size();
-        steps.resize(begin + (sample == 0 || design.calls == CallOrder::in_turn ? process.starts : 0));
-        std::size_t const call = steps.size();
-        for (Segment const& segment : process.program)
+        bool const goes_on = design.rewinds(process) && sample > 0;
+        std::size_t const begin = goes_on ? next : steps.size();
+        if (!goes_on)
+            steps.resize(begin + (sample == 0 || design.calls == CallOrder::in_turn ? process.starts : 0));
+        std::size_t const call = goes_on ? next : steps.size();
+        for (Segment const& segment : process.program) {
+            std::size_t at = goes_on ? next : steps.size();
             if (segment.kind == Segment::Kind::wait)
                 steps.resize(steps.size() + segment.cycles);
             else if (segment.kind == Segment::Kind::step)
@@ -68,8 +113,12 @@ Steps steps_of(Design const& design, std::size_t number, std::size_t samples) {
             else if (segment.kind == Segment::Kind::rest)
                 append_rest(segment.step.front(), (sample + 1) * accesses_of(design, number, segment.step.front()),
                             steps);
-            else
-                append_loop(design, number, segment, steps);
+            else {
+                at += process.loops[segment.loop].entry;
+                next = append_loop(design, number, segment, at, steps);
+            }
+            mark_memory(design, number, first + sample, segment, at, program);
+        }
         steps[begin].begins = sample;
         steps[call].calls = sample;
         steps.back().ends = sample;
@@ -80,7 +129,7 @@ Steps steps_of(Design const& design, std::size_t number, std::size_t samples) {
     for (Step& step : steps)
         std::sort(step.accesses.begin(), step.accesses.end(),
                   [&](std::size_t one, std::size_t other) { return place(one) < place(other); });
-    return steps;
+    return program;
 }
 
 class CoreSimulation {
@@ -101,11 +150,16 @@ class CoreSimulation {
         bool has_accessed = false;
         Cycles empty = 0, full = 0, idle = 0;
         std::vector<Cycles> begins, ends;
-        std::string outcomes;  ///< of attempts
+        std::string outcomes;               ///< of attempts
+        std::optional<std::size_t> master;  ///< in the memory
+        Cycles memory = 0;
         bool is_done() const { return next == steps.size(); }
     };
 
-    CoreSimulation(Design const& design, std::size_t samples) : design_(design) {
+    /// `memory`: null if there is none.
+    CoreSimulation(Design const& design, std::size_t number, std::size_t first, std::size_t samples,
+                   testing::TwinMemoryModel* memory)
+        : design_(design), memory_(memory) {
         for (Fifo const& fifo : design.fifos) {
             bool const is_small = design.rules != FifoGeneration::spec && fifo.depth * fifo.bits <= 1024;
             bool const is_memory =
@@ -118,18 +172,35 @@ class CoreSimulation {
         }
         for (std::size_t i = 0; i < design.processes.size(); ++i) {
             OfProcess process;
-            process.steps = steps_of(design, i, samples);
+            Program program = program_of(design, i, first, samples);
+            process.steps = std::move(program.steps);
+            if (memory_ != nullptr && design.processes[i].port.is_there) {
+                process.master = memory_->add_master(number % design.memory.ports, design.processes[i].port.writes);
+                for (testing::TwinRanges const& ranges : program.entries)
+                    memory_->master(*process.master).add_entry(ranges);
+            }
             process.has_accessed = design.calls == CallOrder::in_turn && design.processes.size() > 1;
             processes.push_back(process);
         }
     }
 
-    void run() {
-        for (; !is_done(); ++cycle_)
-            if (!pass_cycle()) {
-                is_stuck = true;
-                return;
-            }
+    bool is_done() const {
+        return std::all_of(processes.begin(), processes.end(), [](OfProcess const& one) { return one.is_done(); });
+    }
+    /// Who may step is decided before anybody does. False: nothing moves, nor will it unless the memory answers.
+    bool pass_cycle(Cycles cycle) {
+        cycle_ = cycle;
+        for (OfProcess& process : processes)
+            leave_rests(process);
+        std::vector<std::size_t> movers;
+        for (std::size_t i = 0; i < processes.size(); ++i)
+            if (!processes[i].is_done() && may_step(i))
+                movers.push_back(i);
+        for (std::size_t const i : movers)
+            step(i);
+        for (OfFifo& fifo : fifos)
+            fifo.most = std::max(fifo.most, fifo.holds());
+        return !movers.empty() || something_ripens();
     }
 
     std::vector<OfFifo> fifos;
@@ -184,25 +255,6 @@ class CoreSimulation {
     }
 
   private:
-    bool is_done() const {
-        return std::all_of(processes.begin(), processes.end(), [](OfProcess const& one) { return one.is_done(); });
-    }
-
-    /// Who may step is decided before anybody does. False: nothing moves, nor will it.
-    bool pass_cycle() {
-        for (OfProcess& process : processes)
-            leave_rests(process);
-        std::vector<std::size_t> movers;
-        for (std::size_t i = 0; i < processes.size(); ++i)
-            if (!processes[i].is_done() && may_step(i))
-                movers.push_back(i);
-        for (std::size_t const i : movers)
-            step(i);
-        for (OfFifo& fifo : fifos)
-            fifo.most = std::max(fifo.most, fifo.holds());
-        return !movers.empty() || something_ripens();
-    }
-
     void leave_rests(OfProcess& process) const {
         while (!process.is_done() && process.steps[process.next].rest &&
                fifos[*process.steps[process.next].rest].read.size() >= process.steps[process.next].rest_until)
@@ -218,12 +270,22 @@ class CoreSimulation {
         }
         if (process.steps[process.next].calls && !design_.processes[number].buffers.empty())
             process.has_accessed = true;
+        Step& step = process.steps[process.next];
+        if (step.enters && process.master)
+            memory_->master(*process.master).begin_entry(*std::exchange(step.enters, std::nullopt), cycle_);
+        bool const takes = step.token && process.master && !design_.processes[number].port.writes;
+        if (takes &&
+            memory_->master(*process.master).token_legal_from(step.token->first, step.token->second) > cycle_) {
+            ++process.memory;
+            return false;
+        }
         for (std::size_t const fifo : process.steps[process.next].accesses) {
             if (may_access(number, fifo))
                 continue;
             bool const writes = design_.writes(number, fifo);
             ++(writes ? fifos[fifo].full : fifos[fifo].empty);
-            ++(!process.has_accessed && process.next == 0 ? process.idle : writes ? process.full : process.empty);
+            bool const is_idle = !process.has_accessed && process.next == 0 && !takes;
+            ++(is_idle ? process.idle : writes ? process.full : process.empty);
             return false;
         }
         return true;
@@ -234,6 +296,12 @@ class CoreSimulation {
         Cycles const arrived = arrival(number);
         Step const& step = process.steps[process.next];
         process.next += step.rest ? 0U : 1U;
+        if (step.token && process.master) {
+            testing::TwinMasterModel& master = memory_->master(*process.master);
+            design_.processes[number].port.writes ? master.give(step.token->first, step.token->second, cycle_ + 1)
+                                                  : master.take(step.token->first, step.token->second, cycle_);
+            process.has_accessed = true;
+        }
         for (std::size_t const fifo : step.accesses)
             access(number, fifo);
         for (std::size_t const fifo : step.attempts) {
@@ -256,6 +324,14 @@ class CoreSimulation {
     }
 
     bool something_ripens() const {
+        for (OfProcess const& process : processes) {
+            std::optional<std::pair<std::size_t, std::size_t>> const token =
+                process.is_done() || !process.master ? std::nullopt : process.steps[process.next].token;
+            Cycles const from =
+                token ? memory_->master(*process.master).token_legal_from(token->first, token->second) : 0;
+            if (from > cycle_ && from != testing::TwinMasterModel::never)
+                return true;
+        }
         return std::any_of(fifos.begin(), fifos.end(), [this](OfFifo const& fifo) {
             bool const token = !fifo.written.empty() && fifo.written.back() + fifo.latency > cycle_;
             return token || (!fifo.read.empty() && fifo.read.back() + 1 > cycle_);
@@ -263,8 +339,44 @@ class CoreSimulation {
     }
 
     Design const& design_;
+    testing::TwinMemoryModel* memory_;
     Cycles cycle_ = 0;
 };
+
+testing::TwinMemory memory_of(Design const& design) {
+    testing::TwinMemory memory;
+    memory.is_axi = true;
+    memory.ports = design.memory.ports;
+    memory.port_bytes = design.memory.port_bytes;
+    memory.burst_bytes = design.memory.burst_bytes;
+    memory.outstanding = design.memory.outstanding;
+    memory.request_cycles = design.memory.request_cycles;
+    memory.read_latency_ns = design.memory.read_latency_ns;
+    memory.dram_gb_per_s = design.memory.dram_gb_per_s;
+    memory.dram_efficiency = design.memory.dram_efficiency;
+    return memory;
+}
+
+/// The cores share nothing but the memory.
+void run(std::vector<CoreSimulation>& cores, testing::TwinMemoryModel* memory) {
+    for (Cycles cycle = 0;; ++cycle) {
+        bool is_over = true, moves = false;
+        for (CoreSimulation& core : cores)
+            if (!core.is_done()) {
+                is_over = false;
+                moves = core.pass_cycle(cycle) || moves;
+            }
+        bool const asks = memory != nullptr && !memory->is_idle();
+        if (memory != nullptr)
+            memory->end_cycle(cycle);
+        if (is_over)
+            return;
+        if (!moves && !asks)
+            break;
+    }
+    for (CoreSimulation& core : cores)
+        core.is_stuck = !core.is_done();
+}
 
 /// Of a process that cannot go on: the FIFOs that it cannot read in the step at hand, or else the first that it cannot
 /// write. Of several that it reads, whichever its module comes to first is named, which the steps do not tell.
@@ -316,7 +428,7 @@ void add_tables(Design const& design, std::size_t core, CoreSimulation const& si
             std::uint64_t entries = 0, iterations = 0;
             for (Segment const& segment : process.program)
                 if (segment.kind == Segment::Kind::loop && segment.loop == i) {
-                    entries += samples;
+                    entries += design.rewinds(process) ? std::min<std::size_t>(samples, 1) : samples;
                     iterations += samples * segment.iterations.size();
                 }
             figures.lines.push_back(loop_line(core, process.name + '.' + process.loops[i].name,
@@ -324,23 +436,26 @@ void add_tables(Design const& design, std::size_t core, CoreSimulation const& si
         }
     for (std::size_t i = 0; i < design.processes.size(); ++i) {
         CoreSimulation::OfProcess const& process = simulation.processes[i];
-        figures.lines.push_back(process_line(core, design.processes[i].name, process.empty, process.full, process.idle,
-                                             total - process.end));
+        figures.lines.push_back(process_line(core, design.processes[i].name, process.memory, process.empty,
+                                             process.full, process.idle, total - process.end));
     }
 }
 
 }  // namespace
 
 Figures simulated(Design const& design) {
+    std::optional<testing::TwinMemoryModel> memory;
+    if (design.has_memory())
+        memory.emplace(memory_of(design), MachineSettings().clock_mhz);
     std::vector<CoreSimulation> cores;
     std::vector<std::size_t> shares;
     std::size_t const largest = (design.samples + design.cores - 1) / design.cores;
     for (std::size_t core = 0; core < design.cores; ++core) {
         std::size_t const first = std::min(core * largest, design.samples);
         shares.push_back(std::min(largest, design.samples - first));
-        cores.emplace_back(design, shares.back());
-        cores.back().run();
+        cores.emplace_back(design, core, first, shares.back(), memory ? &*memory : nullptr);
     }
+    run(cores, memory ? &*memory : nullptr);
     Figures figures;
     Cycles latest = 0, total = 0;
     for (std::size_t core = 0; core < cores.size(); ++core) {

@@ -22,9 +22,9 @@ void add_tables(RunStatistics const& run, std::size_t core, std::vector<std::str
     }
     for (std::size_t i = 0; i < run.machine.processes.size(); ++i) {
         ProcessStatistics const& process = of_core.processes[i];
-        lines.push_back(process_line(core, run.machine.processes[i].name, process[CycleClass::empty_stall],
-                                     process[CycleClass::full_stall], process[CycleClass::idle_before],
-                                     process[CycleClass::idle_after]));
+        lines.push_back(process_line(core, run.machine.processes[i].name, process[CycleClass::memory_stall],
+                                     process[CycleClass::empty_stall], process[CycleClass::full_stall],
+                                     process[CycleClass::idle_before], process[CycleClass::idle_after]));
         bool const adds_up =
             process.sum() == run.total_cycles && std::all_of(process.cycles.begin(), process.cycles.end(),
                                                              [&](Cycles cycles) { return cycles <= run.total_cycles; });
@@ -47,10 +47,10 @@ std::string loop_line(std::size_t core, std::string const& name, Cycles ii, std:
                       std::uint64_t iterations) {
     return fmt::format("core {} loop {}: II {}, {} entries, {} iterations", core, name, ii, entries, iterations);
 }
-std::string process_line(std::size_t core, std::string const& name, Cycles empty, Cycles full, Cycles idle_before,
-                         Cycles idle_after) {
-    return fmt::format("core {} process {}: empty {}, full {}, idle {} before, {} after", core, name, empty, full,
-                       idle_before, idle_after);
+std::string process_line(std::size_t core, std::string const& name, Cycles memory, Cycles empty, Cycles full,
+                         Cycles idle_before, Cycles idle_after) {
+    return fmt::format("core {} process {}: memory {}, empty {}, full {}, idle {} before, {} after", core, name, memory,
+                       empty, full, idle_before, idle_after);
 }
 std::string wait_line(std::size_t core, std::string const& process, std::string const& fifo, bool to_write,
                       Cycles since, std::string const& other, std::uint64_t occupancy) {

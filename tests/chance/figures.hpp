@@ -23,8 +23,8 @@ std::string fifo_line(std::size_t core, std::string const& name, std::uint64_t w
                       Cycles empty, std::uint64_t most);
 std::string loop_line(std::size_t core, std::string const& name, Cycles ii, std::uint64_t entries,
                       std::uint64_t iterations);
-std::string process_line(std::size_t core, std::string const& name, Cycles empty, Cycles full, Cycles idle_before,
-                         Cycles idle_after);
+std::string process_line(std::size_t core, std::string const& name, Cycles memory, Cycles empty, Cycles full,
+                         Cycles idle_before, Cycles idle_after);
 std::string wait_line(std::size_t core, std::string const& process, std::string const& fifo, bool to_write,
                       Cycles since, std::string const& other, std::uint64_t occupancy);
 

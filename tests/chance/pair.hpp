@@ -76,14 +76,15 @@ inline std::string& notes() {
     return text;
 }
 
-/// What is thrown; otherwise the total, or how many are stuck. `retimed_with`: of a retiming of the run with those.
+/// What is thrown; otherwise the total, and of several samples when they end; or how many are stuck. `retimed_with`: of
+/// a retiming of the run with those.
 inline std::string outcome_of(Pair const& pair, Engine engine, MachineSettings const& settings = {},
-                              MachineSettings const* retimed_with = nullptr) {
+                              MachineSettings const* retimed_with = nullptr, std::size_t samples = 1) {
     return testing::forked_bytes([&]() -> std::string {
         try {
             auto const machine =
                 std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), settings));
-            DataflowAccelerator accelerator("accelerator", machine, 1, engine,
+            DataflowAccelerator accelerator("accelerator", machine, samples, engine,
                                             [&](char const* name, std::shared_ptr<Machine const> const& of,
                                                 CoreShare share, TimeBase const& time_base) {
                                                 return std::make_unique<PairCore>(name, of, share, time_base, pair);
@@ -94,8 +95,11 @@ inline std::string outcome_of(Pair const& pair, Engine engine, MachineSettings c
             RunStatistics run = simulate(accelerator, options);
             if (retimed_with != nullptr)
                 run = replay::retime(recorded, make_machine(core_of({pair.writer, pair.reader}), *retimed_with));
+            std::string ends;
+            for (std::size_t i = 0; samples > 1 && i < run.samples.size(); ++i)
+                ends += " " + std::to_string(run.samples[i].end_cycle);
             return run.deadlocked() ? "stuck " + std::to_string(run.stuck.size())
-                                    : std::to_string(run.total_cycles) + leftover_tokens(run) + notes();
+                                    : std::to_string(run.total_cycles) + ends + leftover_tokens(run) + notes();
         } catch (InputError const& error) {
             return error.what();
         }

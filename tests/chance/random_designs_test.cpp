@@ -18,7 +18,14 @@ struct Count {
 
 void check(Figures const& found, Figures const& expected, char const* which) {
     INFO(which);
-    CHECK(first_difference(found, expected) == "");
+    std::string const difference = first_difference(found, expected);
+    if (std::getenv("CHANCE_ALL") != nullptr && !difference.empty()) {
+        for (std::string const& line : found.lines)
+            UNSCOPED_INFO("found    " << line);
+        for (std::string const& line : expected.lines)
+            UNSCOPED_INFO("expected " << line);
+    }
+    CHECK(difference == "");
 }
 
 /// Whether attempts of a design come out as they do with other timing, as far as that gets.

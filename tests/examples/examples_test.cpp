@@ -24,7 +24,8 @@ using Words = std::vector<std::string>;
 std::map<std::string, std::string> const binaries{{"pipeline", PIPELINE_BINARY},
                                                   {"cyclic", CYCLIC_BINARY},
                                                   {"convolution", CONVOLUTION_BINARY},
-                                                  {"arbiter", ARBITER_BINARY}};
+                                                  {"arbiter", ARBITER_BINARY},
+                                                  {"memory", MEMORY_BINARY}};
 
 /// One of the examples, with a folder for what it writes.
 class Example {
@@ -65,7 +66,7 @@ class Example {
     TempFolder folder_;
 };
 
-Words const all_examples{"pipeline", "cyclic", "convolution"};
+Words const all_examples{"pipeline", "cyclic", "convolution", "memory"};
 
 /// Timing keys that each example has, with values other than its configuration's.
 Words timing_settings(std::string const& example) {
@@ -75,6 +76,10 @@ Words timing_settings(std::string const& example) {
     if (example == "cyclic")
         return {"accelerator.fifos.request.depth=4", "accelerator.fifos.response.kind=memory",
                 "accelerator.loops.processor.double.ii=3"};
+    if (example == "memory")
+        return {"accelerator.memory.outstanding=1", "accelerator.memory.port_bytes=16",
+                "accelerator.memory.model=ideal", "accelerator.fifos.loaded.depth=9",
+                "accelerator.loops.storer.store.depth=7"};
     return {"accelerator.brams.line_buffer.ports=1", "accelerator.fifos.pixel.depth=7",
             "accelerator.loops.convolve.convolve.depth=11"};
 }
@@ -148,6 +153,13 @@ std::vector<KeyRange> ranges_of(std::string const& example) {
         add("loops.controller.exchange.ii", numbers(1, 4));
         add("loops.processor.double.ii", numbers(1, 4));
         add("controller.entry_states", numbers(0, 3));
+    } else if (example == "memory") {
+        add_fifo("loaded", 40);
+        add("loops.doubler.double.ii", numbers(1, 3));
+        add("memory.burst_bytes", {"16", "64", "256"});
+        add("memory.outstanding", numbers(1, 6));
+        add("memory.request_cycles", numbers(0, 40));
+        add("memory.dram_gb_per_s", {"0.5", "2", "19.2"});
     } else {
         add_fifo("pixel", 9);
         add_fifo("sum", 9);
@@ -319,6 +331,38 @@ TEST_CASE("What an arbiter finds is not retimed if it might find something else,
     std::uint64_t const slower = example.cycles({"accelerator.loops.second.produce.ii=3"});
     CHECK(slower > 207);
     CHECK_THAT(example.text("sweep/results.csv"), Contains("207") && Contains(std::to_string(slower)));
+}
+
+/// With o = 4 bursts of 16 tokens under way, of R = 64 cycles: row "outstanding" of docs/memory-model.md, by hand.
+TEST_CASE("The loader of a memory waits as the page of the memory says", "[examples]") {
+    Example const example("memory");
+    auto const cycles = [&example](std::uint64_t outstanding, std::string const& engine) {
+        return example.cycles({"workload.samples=1", "workload.numbers=1024", "simulation.engine=" + engine,
+                               "accelerator.memory.outstanding=" + std::to_string(outstanding)});
+    };
+    constexpr std::uint64_t latency = 24 + 40, bursts = 1024 / 16, depth = 3;
+    for (std::string const engine : {"decoupled", "lockstep"})
+        for (std::uint64_t const outstanding : {1U, 2U, 4U, 5U, 16U}) {
+            CAPTURE(engine, outstanding);
+            std::uint64_t const m = bursts - 1;
+            bool const is_bound = outstanding * 16 < latency + 16 + 1;
+            std::uint64_t const loop =
+                is_bound ? latency + 16 + m / outstanding * (latency + 16 + 1) + m % outstanding * 16 + depth
+                         : latency + bursts * 16 + depth;
+            // Behind the loader's last write, in its last stage: one cycle to the doubler, whose write is one later,
+            // and one to the storer, which takes two.
+            CHECK(cycles(outstanding, engine) == loop - 1 + 1 + 1 + 1 + 2);
+        }
+}
+
+TEST_CASE("What is stored is asked for when it has been given, and in bursts", "[examples]") {
+    Example const example("memory");
+    std::string out =
+        example.run({"workload.samples=1", "workload.numbers=1000", "accelerator.memory.output_address=536870972"}).out;
+    out.erase(std::unique(out.begin(), out.end(), [](char one, char next) { return one == ' ' && next == ' '; }),
+              out.end());
+    CHECK_THAT(out, Contains("input 63 4000 "));   // 62 of 16 tokens, and one of 8
+    CHECK_THAT(out, Contains("output 64 4000 "));  // one token, 62 times 16, and 7
 }
 
 TEST_CASE("A design that waits in a circle is reported, with who waits for whom", "[examples]") {

@@ -152,9 +152,11 @@ void TwinMasterModel::add_entry(TwinRanges const& ranges) {
         cut(range.address, end);
         std::uint64_t at = range.address;
         std::uint64_t burst_begin = range.address;
+        std::size_t const first_burst = burst;
         for (std::uint64_t const bytes : range.token_bytes) {
             Token token;
             if (bytes > 0) {
+                note_token(first_burst, range.address, at, at + bytes);
                 at += bytes;
                 while ((at - 1) / memory_->burst_bytes != burst_begin / memory_->burst_bytes) {
                     burst_begin = (burst_begin / memory_->burst_bytes + 1) * memory_->burst_bytes;
@@ -164,8 +166,17 @@ void TwinMasterModel::add_entry(TwinRanges const& ranges) {
                 bursts_[burst].tokens_to_take += writes_ ? 0 : 1;
             }
             entries_.back().tokens.push_back(token);
+            entries_.back().given.push_back(never);
         }
     }
+}
+
+/// The token to come lies in these bytes of a range.
+void TwinMasterModel::note_token(std::size_t first_burst, std::uint64_t range_begin, std::uint64_t begin,
+                                 std::uint64_t end) {
+    std::uint64_t const first = range_begin / memory_->burst_bytes;
+    for (std::uint64_t i = begin / memory_->burst_bytes; i <= (end - 1) / memory_->burst_bytes; ++i)
+        bursts_[first_burst + i - first].last_token = entries_.back().tokens.size();
 }
 
 /// At every multiple of `burst_bytes`; each piece is widened to whole beats.
@@ -208,7 +219,8 @@ Cycles TwinMasterModel::done(Burst const& burst) {
 Cycles TwinMasterModel::next_ask() const {
     if (next_ == bursts_.size())
         return never;
-    Cycles from = entries_[bursts_[next_].entry].begin;
+    Entry const& entry = entries_[bursts_[next_].entry];
+    Cycles from = writes_ ? entry.given[bursts_[next_].last_token] : entry.begin;
     if (from == never)
         return never;
     if (next_ > 0)

@@ -81,7 +81,12 @@ class TwinMasterModel {
 
     /// The ranges of an entry, which begins in a cycle that `begin_entry` will say.
     void add_entry(TwinRanges const& ranges);
-    void begin_entry(std::size_t entry, Cycles cycle) { entries_.at(entry).begin = cycle; }
+    void begin_entry(std::size_t entry, Cycles cycle) {
+        entries_.at(entry).begin = cycle;
+        entries_.at(entry).given.assign(entries_.at(entry).given.size(), cycle);
+    }
+    /// Of what is written, token by token instead: from which cycle on it is there.
+    void give(std::size_t entry, std::size_t token, Cycles cycle) { entries_.at(entry).given.at(token) = cycle; }
     std::size_t entries() const { return entries_.size(); }
 
     /// First cycle in which a token can be read; `never` while its burst has not been asked for.
@@ -102,6 +107,7 @@ class TwinMasterModel {
         std::uint64_t granules = 0;
         std::size_t tokens_to_take = 0;  ///< of those that end in it
         Cycles last_taken = 0;
+        std::size_t last_token = 0;  ///< that has a byte in it
         Cycles asked = never;
         Cycles first_beat = never;
         Cycles answered = never;  ///< last beat, or acknowledgement
@@ -114,9 +120,11 @@ class TwinMasterModel {
     struct Entry {
         Cycles begin = never;
         std::vector<Token> tokens;
+        std::vector<Cycles> given;  ///< by token
     };
 
     void cut(std::uint64_t begin, std::uint64_t end);
+    void note_token(std::size_t first_burst, std::uint64_t range_begin, std::uint64_t begin, std::uint64_t end);
     static Cycles done(Burst const& burst);
 
     TwinMemory const* memory_;

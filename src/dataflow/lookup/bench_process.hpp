@@ -136,6 +136,7 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
     }
     void iterates(std::uint64_t /*first*/, std::uint64_t /*count*/) const {}
     void entered() { entered_ = true; }
+    void entered_again() const {}
     void count_end();
     void left() const {}
     void awaited_setup(std::int64_t /*cycles*/) const {}  // in no phrase

@@ -12,6 +12,11 @@ bool uses_memory(std::string const& module, Machine const& machine) {
     });
 }
 
+bool rewinds(Machine const& machine) {
+    return std::any_of(machine.loops.begin(), machine.loops.end(),
+                       [](MachineLoop const& loop) { return loop.rewinds; });
+}
+
 /// What comes from memory, no state of a process tells: who takes it only follows where it is ahead, and then last.
 bool may_follow(timing::Lead::Follower const& added, Machine const& machine,
                 std::vector<timing::Lead::Follower> const& followers) {
@@ -28,7 +33,7 @@ timing::Lead lead_of(CoreDescription::Pace const& pace, Machine const& machine) 
     if (pace.driver.empty() || uses_memory(pace.driver, machine))
         return lead;
     lead.driver = static_cast<unsigned>(machine.process(pace.driver));
-    if (has_interlocks(machine))  // no state of a process tells when an iteration waited for a write
+    if (has_interlocks(machine) || rewinds(machine))  // no state of a process tells of waits for writes, and of rests
         return lead;
     for (bool const of_memory : {false, true})
         for (CoreDescription::Pace::Follower const& follower : pace.followers) {

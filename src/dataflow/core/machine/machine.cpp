@@ -107,6 +107,7 @@ class Maker {
         }
         machine_.begins = machine_.process(core.begins);
         machine_.ends = machine_.process(core.ends);
+        machine_.processes[machine_.ends].call_start.ends_samples = true;
         machine_.is_over_with_last_sample = core.is_over_with_last_sample;
         machine_.has_calls = core.has_calls;
         machine_.lead = lead_of(core_.pace, machine_);
@@ -225,6 +226,7 @@ class Maker {
         Cycles const recurrence = std::max(settings.recurrence_ii.value_or(1), description.recurrence);
         loop.depth = settings.depth.value_or(description.depth) + description.extra_depth;
         loop.is_pipelined = description.is_pipelined;
+        loop.rewinds = settings.rewind.value_or(description.is_rewinding);
         loop.interval = loop.is_pipelined
                             ? timing::schedule(settings.ii.value_or(description.interval), recurrence, demands)
                             : timing::schedule(loop.depth, 1, {});
@@ -352,6 +354,7 @@ timing::LoopShape MachineLoop::shape() const {
     shape.entry_states = entry_states;
     shape.exit_states = exit_states;
     shape.makes_attempts = makes_attempts;
+    shape.rewinds = rewinds;
     if (has_interlocks())
         for (MachineDependence const& dependence : dependences)
             shape.interlock_spans.push_back(dependence.interlocks() ? dependence.span() : 1);

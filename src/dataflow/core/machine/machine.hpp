@@ -85,7 +85,7 @@ struct MachineLoop {
     std::string timed_by;  ///< "MODULE.LOOP" whose keys time it
     timing::InitiationInterval interval;
     Cycles depth = 1;
-    bool is_pipelined = true;
+    bool is_pipelined = true, rewinds = false;
     Cycles entry_states = 0, exit_states = 0;
     std::vector<std::size_t> writes;  ///< numbers of FIFOs
     std::vector<MachineDependence> dependences;

@@ -29,6 +29,7 @@ struct LoopSettings {
     std::optional<Cycles> recurrence_ii;  ///< initiation interval that a loop-carried dependence demands, >= 1
     std::optional<Cycles> depth;          ///< pipeline stages, >= 1; states of a loop that is not pipelined
     std::optional<Cycles> entry_states, exit_states;  ///< of such a loop
+    std::optional<bool> rewind;                       ///< of one that can
 };
 
 /// How calls of a core's modules follow each other; key `accelerator.calls` (docs/timing-model.md#calls).

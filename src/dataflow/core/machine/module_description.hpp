@@ -70,7 +70,7 @@ struct FifoEnd {
 struct StreamDescription {
     std::string name;      ///< of the master, e.g. "vertex"
     bool writes = false;   ///< by steps that nobody waits for
-    std::string loop;      ///< each iteration of which takes a token; empty: steps do
+    std::string loop;      ///< each iteration of which takes a token, or gives one; empty: steps do
     std::string contents;  ///< "rows of the table", for the documentation
     Conditions conditions;
     timing::Prefetch prefetch = timing::Prefetch::none;
@@ -78,6 +78,8 @@ struct StreamDescription {
 
     StreamDescription& brings(std::string text) { return contents = std::move(text), *this; }
     StreamDescription& taken_by(std::string its_loop) { return loop = std::move(its_loop), *this; }
+    /// An iteration gives its token in the loop's last stage.
+    StreamDescription& given_by(std::string its_loop) { return taken_by(std::move(its_loop)); }
     StreamDescription& prefetches(timing::Prefetch what) { return prefetch = what, *this; }
     /// Its tokens are headers of samples, which tell others what to fetch.
     StreamDescription& headers() { return is_header = true, *this; }
@@ -107,7 +109,7 @@ struct LoopDescription {
     std::string task;        ///< "visits one pixel per iteration", for the documentation
     Cycles depth = 1;        ///< default number of pipeline stages
     Cycles extra_depth = 0;  ///< stages that other keys add
-    bool is_pipelined = true;
+    bool is_pipelined = true, is_rewinding = false;
     Cycles entry_states = 0, exit_states = 0;  ///< default cycles before the first iteration, and behind the last
     Cycles interval = 1;                       ///< default initiation interval asked for
     Cycles recurrence = 1;                     ///< initiation interval that the design's own dependences demand
@@ -129,6 +131,8 @@ struct LoopDescription {
     }
     LoopDescription& enters_in(Cycles states) { return entry_states = states, *this; }
     LoopDescription& leaves_in(Cycles states) { return exit_states = states, *this; }
+    /// All of its process; the next call's iterations follow at once, and the pipeline drains when there is none.
+    LoopDescription& rewinds() { return is_rewinding = true, *this; }
     LoopDescription& of_ii(Cycles cycles) { return interval = cycles, *this; }
     LoopDescription& recurs_every(Cycles cycles) { return recurrence = cycles, *this; }
     LoopDescription& accesses_memory(std::string memory, AccessPattern pattern) {

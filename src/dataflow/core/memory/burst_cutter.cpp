@@ -83,6 +83,7 @@ void BurstCutter::cut() {
     std::uint64_t const whole =
         ends_row ? (fetched + block.token_bytes - 1) / block.token_bytes : fetched / block.token_bytes;
     burst_.tokens = whole - token_;
+    burst_.is_cut = !ends_row && fetched % block.token_bytes != 0;
     burst_.token_bytes = block.token_bytes;
     burst_.first_last = row_address_ + (token_ + 1) * block.token_bytes - block.lead - 1;
     burst_.last_last = end_of_row() - 1;

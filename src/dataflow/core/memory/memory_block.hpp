@@ -37,6 +37,7 @@ struct MemoryBurst {
     std::uint64_t last_last = 0;   ///< and at most that of the others
     std::uint64_t token_bytes = 1;
     bool opens_entry = false;  ///< the first of an entry
+    bool is_cut = false;       ///< within a token, at its end
 
     std::uint64_t last_byte_of(std::uint64_t token) const {
         std::uint64_t const last = first_last + token * token_bytes;

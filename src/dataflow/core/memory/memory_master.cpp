@@ -59,8 +59,11 @@ Cycles MemoryMaster::cycle_of_entry() {
 }
 
 void MemoryMaster::find_ask() {
-    // An entry without bursts has a cycle as well.
-    while (entries_ < cutter_.entry_number()) {
+    // An entry without bursts has a cycle as well. Of what is written, each token has: all must be there.
+    MemoryBurst const& burst = cutter_.burst();
+    std::uint64_t const needed =
+        stream_.is_write() ? delivered_ + burst.tokens + (burst.is_cut ? 1 : 0) : cutter_.entry_number();
+    while (entries_ < needed) {
         if (!knows_entry())
             return;
         entry_cycle_ = cycle_of_entry();
@@ -113,6 +116,7 @@ Cycles MemoryMaster::served(Cycles cycle) {
     Cycles first = never;
     if (stream_.is_write()) {
         free_from_.push_back(done + 1);
+        delivered_ += burst.tokens;
     } else {
         if (burst.tokens > 0)
             first = deliver(burst, cycle);

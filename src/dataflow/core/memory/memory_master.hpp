@@ -55,7 +55,7 @@ class MemoryMaster {
     bool has_burst_ = false;
     std::optional<Cycles> ask_;
     Cycles ask_from_ = 0;        // rule 1: the cycle after the last burst was asked for
-    std::uint64_t entries_ = 0;  // of which the cycle is known
+    std::uint64_t entries_ = 0;  // of which the cycle is known; of a write, tokens
     Cycles entry_cycle_ = 0;
     std::uint64_t unused_slots_;    // of `outstanding`, that no burst has had yet
     std::deque<Cycles> free_from_;  // the others that are free: from which cycle on

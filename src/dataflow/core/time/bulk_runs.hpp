@@ -115,7 +115,7 @@ template <class Process, class Port> class BulkRuns : public ProcessRules<Proces
             return iterate_by_step(log_.front());
         if (whole.kind() == Kind::mixed)
             return run_mix(whole);
-        if (is_line(whole))
+        if (is_line(whole) && !is_in_memory_loop())  // where the last port is the first in its set
             return run_line(whole);
         Operation& operation = log_.front();
         return operation.ports() == 0 ? Base::pass_silence(operation) : run_iterations(operation);

@@ -100,6 +100,7 @@ class Operation {
         attempt,
     };
     bool is_plain_wait() const { return gap() == cycles; }
+    bool is_call_start() const { return kind() == Kind::wait && gap() == call_start; }
     bool is_choice() const { return kind() == Kind::wait && gap() >= step_to_reach; }
     /// Of an attempt: whether it found what it looked for, and moved a token if it did; and how many iterations its own
     /// is behind the one at hand.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "dataflow/core/time/fifo_rules.hpp"
@@ -40,6 +41,7 @@ template <class Time> struct ProcessState {
         Cycles steps = 0;
     };
     std::vector<Bubbles> bubbles;
+    bool rests = false;  ///< at the end of a loop that may go on with the next call's iterations
     FlushingPipeline<Time> flushing;
 
     /// What an iteration of a loop accesses, `lag` iterations before the one at hand.
@@ -67,7 +69,7 @@ template <class Time> struct ProcessState {
 ///     void note(Port const&, std::uint64_t count)   so many accesses have been entered in the FIFO
 ///     void count(std::uint64_t iterations)          of the loop it is in
 ///     void iterates(std::uint64_t first, std::uint64_t count)  they begin at the local time
-///     void entered(), count_end(), left()           a loop
+///     void entered(), entered_again(), count_end(), left()  a loop
 ///     void awaited_setup(Time cycles), awaited_write(Cycles cycles), stamped()
 ///     void let_bubbles_in(Port const&, Time bubbles, Time from)  a flushing pipeline, instead of what a port reads
 ///     void lets_out(Port const&, Time due, Time cycle)  a token, which may have waited; told before the access
@@ -85,9 +87,9 @@ template <class Process, class Port> class ProcessRules {
     bool flushes() const { return shape_->flushing_stages > 0; }
     bool in_loop() const { return state_.in_loop; }
     /// In an iteration whose steps are not all over.
-    bool is_in_iteration() const {
-        bool const drains = !log_.exhausted() && log_.begin()->kind() == Operation::Kind::leave;
-        return state_.in_loop && state_.pipeline.open && !drains;
+    bool is_in_iteration() const { return state_.in_loop && state_.pipeline.open && !drains(); }
+    bool drains() const {
+        return state_.rests || (!log_.exhausted() && log_.begin()->kind() == Operation::Kind::leave);
     }
     LoopPlan const& plan() const { return *plan_; }
     /// The accesses of the step that a process has stopped in front of which goes step by step.
@@ -148,6 +150,8 @@ template <class Process, class Port> class ProcessRules {
     /// again.
     bool take() {
         Operation const operation = log_.whole_front();
+        if (state_.rests && !goes_on_with(operation))
+            return leave();
         switch (operation.kind()) {
             case Kind::wait:
                 if (operation.is_choice()) {
@@ -168,10 +172,14 @@ template <class Process, class Port> class ProcessRules {
                 pass(operation.count());
                 break;
             case Kind::enter:
-                enter(operation.count());
+                if (std::exchange(state_.rests, false))
+                    self().entered_again();
+                else
+                    enter(operation.count());
                 break;
             case Kind::leave:
-                if (!leave())
+                state_.rests = shape_->loops[state_.loop].rewinds;
+                if (!state_.rests && !leave())
                     return false;
                 break;
             case Kind::stamp:
@@ -203,8 +211,7 @@ template <class Process, class Port> class ProcessRules {
     Region region_at_hand() const {
         if (!state_.in_loop)
             return Region();
-        bool const drains = !log_.exhausted() && log_.begin()->kind() == Kind::leave;
-        return Region::of_loop(state_.loop, drains ? Region::Part::drain : Region::Part::iterations);
+        return Region::of_loop(state_.loop, drains() ? Region::Part::drain : Region::Part::iterations);
     }
     void leave_trail(unsigned port) {
         note_wait(self().ports_[port], region_at_hand(), state_.in_loop ? state_.pipeline.offset : 0, 0, state_.time);
@@ -466,6 +473,12 @@ template <class Process, class Port> class ProcessRules {
         begin_pipeline();
     }
 
+    /// What is told between two calls of a process that is one loop, which rewinds, and takes no time.
+    bool goes_on_with(Operation const& operation) const {
+        return operation.kind() == Kind::stamp || (operation.is_call_start() && !shape_->call_start.is_in_turn) ||
+               (operation.kind() == Kind::enter && operation.count() == state_.loop);
+    }
+
     /// Lets the last tokens out, then moves to the end of the loop's last stage.
     bool leave() {
         PipelinePosition& pipeline = state_.pipeline;
@@ -477,7 +490,7 @@ template <class Process, class Port> class ProcessRules {
         // The steps that draining walked through belong to the loop's depth, of which `drain` is the rest.
         state_.time += static_cast<Time>(plan_->drain - static_cast<std::int64_t>(plan_->longest_lag * plan_->ii));
         self().count_end();
-        state_.in_loop = false;
+        state_.in_loop = state_.rests = false;
         mark(Region());
         self().left();
         return true;

@@ -36,6 +36,7 @@ struct LoopShape {
     /// writes. 1: nobody waits. Empty: for none; otherwise iterations read FIFOs in their first step, and write none.
     std::vector<Cycles> interlock_spans;
     bool makes_attempts = false;  ///< its iterations may access some of those ports without waiting
+    bool rewinds = false;         ///< the next call's iterations follow at once, see docs/timing-model.md#rewind
     bool uses_memory = false;     ///< each iteration takes a token of the process's memory stream, in its first step
 };
 
@@ -77,7 +78,8 @@ struct LoopPlan {
 /// When a call of a process begins: so many cycles after the region that it is part of does.
 struct CallStart {
     Cycles after = 0;
-    bool is_in_turn = false;  ///< each call of the region begins anew; otherwise there is one begin, cycle 0
+    bool is_in_turn = false;    ///< each call of the region begins anew; otherwise there is one begin, cycle 0
+    bool ends_samples = false;  ///< stamps tell when calls end, not when they begin
 };
 
 /// What a process is, as far as time is concerned, besides its ports: the same for all copies of it.

@@ -137,9 +137,10 @@ void ProcessTiming::wait_for(ProcessPort const& port) {
         stream_->comes_to_step(state_.time);
 }
 
-/// What comes from memory is waited for first.
+/// What comes from memory is waited for first; nobody waits for what goes there.
 void ProcessTiming::put_in_order(PortSet& set) const {
-    std::stable_partition(set.begin(), set.end(), [](ProcessPort const& port) { return port.fifo->is_memory(); });
+    std::stable_partition(set.begin(), set.end(),
+                          [](ProcessPort const& port) { return port.fifo->is_memory() && !port.writes; });
 }
 
 bool ProcessTiming::may_access(Ports::Number ports) {
@@ -214,10 +215,19 @@ void ProcessTiming::performs(Ports::Number ports, Cycles arrival) {
     figures_.idle_before_cycles = arrival == 0 && !waits_for_memory ? state_.time : 0;
 }
 
-void ProcessTiming::entered() {
-    ++figures_.loops_entered;
+void ProcessTiming::tell_end() {
+    if (std::any_of(loops().begin(), loops().end(), [](LoopShape const& loop) { return loop.rewinds; }))
+        log_.wait(0);
+}
+
+void ProcessTiming::entered_again() {
     if (loops()[state_.loop].uses_memory)
         stream_->enters_loop(state_.time);
+}
+
+void ProcessTiming::entered() {
+    ++figures_.loops_entered;
+    entered_again();
     if (observer_ != nullptr)
         observer_->entered_loop(*this, state_.loop, state_.time);
 }
@@ -228,7 +238,9 @@ void ProcessTiming::left() {
 }
 
 void ProcessTiming::stamped() {
-    Cycles const cycle = state_.time - std::min(state_.time, shape_->stamps_back);
+    bool const is_drain_to_come = state_.rests && shape_->call_start.ends_samples;
+    Cycles const time = state_.time + (is_drain_to_come ? static_cast<Cycles>(plan_->drain) : 0);
+    Cycles const cycle = time - std::min(time, shape_->stamps_back);
     figures_.stamps.push_back(cycle);
     if (observer_ != nullptr)
         observer_->stamped(*this, cycle);

@@ -103,6 +103,8 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     OperationLog const& log() const { return log_; }
     /// Logs besides log() that take down everything the process says.
     std::vector<OperationLog*> const& tapes() const { return tapes_; }
+    /// Nothing more will be logged: a loop that rewinds does not go on.
+    void tell_end();
     bool is_taped() const { return is_taped_; }
     void add_tape(OperationLog& tape) {
         tapes_.push_back(&tape);
@@ -280,6 +282,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
             observer_->iterated(*this, state_.time, first, count, plan_->ii);
     }
     void entered();
+    void entered_again();
     void left();
     void awaited_setup(Cycles cycles) { figures_.awaited_setup_cycles += cycles; }
     void awaited_write(Cycles cycles) { figures_.loops[state_.loop].interlock_cycles += cycles; }

@@ -211,6 +211,12 @@ void add_loop_keys(Keys& keys, std::string const& name, LoopDescription const& d
     keys.push_back(step_key(
         {loop_key_name(name, "depth"), "cycles", "Pipeline stages of one iteration.", "timing model"}, cycles_range,
         loop, [](auto& settings) -> auto& { return settings.depth; }, description.depth));
+    if (description.is_rewinding)
+        keys.push_back(part_key(
+            {loop_key_name(name, "rewind"), "",
+             "Whether iterations of the next call follow at once, before the pipeline has drained.",
+             "HLS pipeline rewind"},
+            KeyKind::boolean, loop, [](auto& settings) -> auto& { return settings.rewind; }, true));
     for (MemoryStages const& stages : description.memory_stages)
         add_dependence_keys(keys, name, stages);
 }

@@ -1,9 +1,13 @@
 #include "dataflow/run/config/simple_design.hpp"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/core/machine/design_check.hpp"
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/external_memory_keys.hpp"
 #include "dataflow/run/config/machine_keys.hpp"
 
 namespace dataflow {
@@ -15,14 +19,43 @@ Key number_key(std::string const& design, DesignNumber const& number) {
         number.range, [name = number.key](auto& config) -> auto& { return config.numbers.of(name); });
 }
 
-/// There are no keys of an external memory, and so there is none.
-void require_no_streams(CoreDescription const& core) {
+bool uses_memory(CoreDescription const& core) {
+    return std::any_of(core.modules.begin(), core.modules.end(),
+                       [](ModuleDescription const& module) { return !module.streams.empty(); });
+}
+
+/// A module tells what it takes when it comes to it: too late for whoever works ahead.
+void require_plain_stream(ModuleDescription const& module, StreamDescription const& stream) {
+    std::string const what =
+        "module " + module.name + (stream.writes ? " stores " : " fetches ") + stream.name + " by a port to the memory";
+    if (&stream != module.streams.data())
+        throw InputError(what + ", and has another one for " + module.streams.front().name +
+                         ", expected one, and a module for each other");
+    if (stream.prefetch != timing::Prefetch::none || stream.is_header)
+        throw InputError(what + " that works ahead, expected a design with keys of its own (external_memory_keys())");
+    if (!stream.loop.empty())
+        keyed_loop(module, stream.loop);
+}
+
+void require_plain_streams(CoreDescription const& core) {
+    std::vector<std::string> names;
     for (ModuleDescription const& module : core.modules)
-        for (StreamDescription const& stream : module.streams)
-            throw InputError(
-                "module " + module.name + (stream.writes ? " stores " : " fetches ") + stream.name +
-                " by a port to the external memory, which a simple design does not have, expected a design " +
-                "with keys of its own (external_memory_keys())");
+        for (StreamDescription const& stream : module.streams) {
+            require_plain_stream(module, stream);
+            if (std::count(names.begin(), names.end(), stream.name) > 0)
+                throw InputError("in the design two ports to the memory have the name " + stream.name +
+                                 ", expected another name for one of them");
+            names.push_back(stream.name);
+        }
+}
+
+/// Nobody works ahead.
+Keys memory_keys() {
+    Keys keys = external_memory_keys();
+    keys.erase(std::remove_if(keys.begin(), keys.end(),
+                              [](Key const& key) { return key.name() == "accelerator.memory.prefetch"; }),
+               keys.end());
+    return keys;
 }
 
 }  // namespace
@@ -58,12 +91,20 @@ std::vector<Key> SimpleDesign::keys() const {
     add_numbers(true);
     CoreDescription core = describe(defaults().numbers);
     check_design(core);
-    require_no_streams(core);
+    require_plain_streams(core);
+    if (uses_memory(core))
+        for (Key& key : memory_keys())
+            keys.push_back(std::move(key));
     core.has_calls = true;
     keys.push_back(calls_key());
     for (Key& key : machine_keys(core))
         keys.push_back(std::move(key));
     return keys;
+}
+
+std::vector<std::string> SimpleDesign::complaints(LoadedConfig const& loaded) const {
+    return uses_memory(describe(numbers_of(loaded.config))) ? external_memory_complaints(loaded)
+                                                            : std::vector<std::string>();
 }
 
 std::string SimpleDesign::why_not_retimable(std::string const& key) const {

@@ -59,6 +59,7 @@ class SimpleDesign : public Design {
     CoreDescription core(RunConfig const& config) const override {
         return with_calls(describe(numbers_of(config)), config.machine());
     }
+    std::vector<std::string> complaints(LoadedConfig const& loaded) const override;
     std::string why_not_retimable(std::string const& key) const override;
     std::vector<ColumnFacts> const& counters() const override { return facts_.counters; }
 

@@ -157,7 +157,8 @@ class MachineReader {
     bool uses_memory(std::string const& loop, timing::ProcessTiming const& process) const {
         return process.stream() != nullptr &&
                std::any_of(machine_.streams.begin(), machine_.streams.end(), [&](MachineStream const& stream) {
-                   return stream.is_present && stream.process == process.index() && stream.loop == loop;
+                   return stream.is_present && !stream.writes && stream.process == process.index() &&
+                          stream.loop == loop;
                });
     }
 

@@ -8,7 +8,9 @@ timing::LoopShape variant_of(timing::LoopShape const& loop, timing::ProcessTimin
                              Machine const& machine) {
     timing::LoopShape shape = machine.loops[machine.loop(variant.index(), loop.name)].shape();
     for (timing::LoopWrite const& write : loop.writes)
-        shape.writes.push_back({write.port, variant.fifo(write.port).shape().write_latency});
+        shape.writes.push_back({write.port, variant.fifo(write.port).is_memory()
+                                                ? shape.depth - 1
+                                                : variant.fifo(write.port).shape().write_latency});
     shape.uses_memory = loop.uses_memory;
     for (timing::LoopRead const& read : loop.reads)
         shape.reads.push_back({read.port, variant.fifo(read.port).shape().read_stage});

@@ -22,6 +22,11 @@ void append_sample(std::vector<timing::Operation> const& operations, timing::Ope
         log.append(*operation);
 }
 
+void tell_end(timing::CoreTiming& core) {
+    for (std::size_t process = 0; process < core.processes().size(); ++process)
+        core.process(process).tell_end();
+}
+
 void tell_sample(std::vector<timing::Operation> const& operations, timing::ProcessTiming& process) {
     append_sample(operations, process.log());
     for (timing::OperationLog* const tape : process.tapes())

@@ -22,6 +22,9 @@ class PlainReader {
 /// then, as the process itself would have said it.
 void append_sample(std::vector<timing::Operation> const& operations, timing::OperationLog& log);
 
+/// All samples of a core have been told.
+void tell_end(timing::CoreTiming& core);
+
 /// Tells a process, and whoever tapes it.
 void tell_sample(std::vector<timing::Operation> const& operations, timing::ProcessTiming& process);
 

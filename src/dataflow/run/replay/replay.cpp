@@ -45,6 +45,7 @@ bool Replay::go_on() {
         if (leaves_ && leaves_(core_))
             break;
     }
+    tell_end(core_);
     core_.resolve();
     return false;
 }

@@ -96,6 +96,8 @@ class Together {
                 memory_->go_on(false);
             leave();
         }
+        for (auto const& core : cores_)
+            tell_end(*core);
         if (memory_)
             memory_->go_on(true);
         for (auto const& core : cores_)

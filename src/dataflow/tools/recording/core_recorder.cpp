@@ -228,6 +228,10 @@ void CoreRecorder::stop() {
     for (std::size_t fifo = 0; fifo < taps_.size(); ++fifo)
         core_.remove_tap(fifo, taps_[fifo]);
     checkpoints_.clear();
+    for (std::size_t i = 0; detail_ != nullptr && i < told_loops_.size(); ++i)
+        detail_->process(i).tell_end();
+    if (detail_ != nullptr)
+        detail_->resolve();
     if (capture_ != nullptr)
         capture_->finish();
     capture_.reset();

@@ -6,12 +6,12 @@
 #include <optional>
 #include <sstream>
 
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/base/files/hidden_name.hpp"
 #include "dataflow/base/files/scratch.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/process_pool.hpp"
 #include "dataflow/commands/say.hpp"
-#include "dataflow/core/machine/core_share.hpp"
 #include "dataflow/tools/recording/waveform_file.hpp"
 
 namespace dataflow {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/tools/recording/recorded_core.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/core/machine/machine.hpp"
 #include "dataflow/core/memory/memory_load.hpp"
 #include "dataflow/core/time/core_timing.hpp"

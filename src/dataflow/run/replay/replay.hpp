@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/base/cycles.hpp"
-#include "dataflow/core/machine/core_share.hpp"
 #include "dataflow/phrases/phrase_core.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/script_source.hpp"

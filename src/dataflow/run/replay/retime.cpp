@@ -3,7 +3,7 @@
 #include <memory>
 #include <numeric>
 
-#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/core_variant.hpp"
 #include "dataflow/run/replay/outcomes.hpp"

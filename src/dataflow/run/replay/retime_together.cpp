@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/core/memory/memory_system.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/core_variant.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstddef>
 
-#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/phrases/phrase_core.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/scripted_run.hpp"

@@ -4,8 +4,8 @@
 #include <map>
 #include <memory>
 
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/base/on_threads.hpp"
-#include "dataflow/core/machine/core_share.hpp"
 #include "dataflow/run/replay/core_variant.hpp"
 #include "dataflow/run/replay/core_watch.hpp"
 #include "dataflow/run/replay/plain_reader.hpp"

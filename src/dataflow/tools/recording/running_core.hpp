@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "dataflow/core/machine/core_share.hpp"
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/core/machine/machine.hpp"
 #include "dataflow/core/time/core_timing.hpp"
 #include "dataflow/tools/recording/memory_activity.hpp"

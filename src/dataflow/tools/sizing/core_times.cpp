@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/core/machine/core_ends.hpp"
-#include "dataflow/core/machine/core_share.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/tools/sizing/cut_members.hpp"
 

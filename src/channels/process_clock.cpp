@@ -15,6 +15,12 @@ namespace dataflow {
 namespace {
 /// Of the external memory: docs/memory-model.md.
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 40U;
+
+/// Its module would tell of the step when it has the FIFO's token, too late for the burst to be asked for in its turn.
+[[noreturn]] void refuse_both(std::string const& module, std::string const& stream, std::string const& fifo) {
+    throw InputError("module " + module + " takes " + stream + " from the memory in a step that reads " + fifo +
+                     ", expected a step for each");
+}
 }  // namespace
 
 std::uint64_t TimeBase::ticks_per_cycle() const {
@@ -146,6 +152,10 @@ void ProcessClock::require_memory(unsigned port) const {
         throw InputError(what + (loop.empty() ? " outside loops" : " in the loop " + loop) + ", expected it " +
                          (stream_->loop.empty() ? "outside loops, or taken_by() or given_by() in its describe()"
                                                 : "in the loop " + stream_->loop));
+    collected_.each([this](unsigned other) {
+        if (!is_pipelining_ && !stream_->writes && !is_memory(other) && !timing_.writes(other))
+            refuse_both(timing_.name(), stream_->name, fifos_[other]->timing().name());
+    });
     if (collected_.has(port))
         throw InputError(what + " twice in a step or an iteration of a loop, expected once");
     if (tokens_accessed_ == tokens_at_hand_)
@@ -342,6 +352,10 @@ void ProcessClock::require_once(timing::Ports port) const {
         return;
     std::string const fifo = fifos_[number]->timing().name();
     std::string const does = timing_.writes(number) ? "writes" : "reads";
+    bool const takes_memory =
+        uses_memory() && stream_ != nullptr && !stream_->writes && collected_.has(timing_.stream_port());
+    if (!is_pipelining_ && takes_memory && !timing_.writes(number))
+        refuse_both(timing_.name(), stream_->name, fifo);
     if (collected_.has(number) || attempted_.has(number))
         throw InputError("module " + timing_.name() + " " + does + " " + fifo +
                          " twice in a step or an iteration of a loop, " + "expected once");

@@ -74,6 +74,8 @@ template <class Token> class stream<Token, 0> : public dataflow::untimed::Stream
         ask("size");
         return tokens_.size();
     }
+    /// What its type says, 2 where it says nothing; the untimed queue has no end.
+    std::size_t capacity() const { return depth() > 0 ? depth() : 2; }
 
     bool has_token() const override { return !tokens_.empty(); }
     unsigned bits() const override { return Traits::bits(); }

@@ -200,12 +200,17 @@ class Maker {
             if (!process.loops.empty() && !dice_for_memory_.one_in(4))
                 port.loop = dice_for_memory_.below(process.loops.size());
             for (Segment& segment : process.program)
-                access_memory(port, segment);
+                access_memory(process, port, segment);
         }
     }
-    void access_memory(MemoryPort const& port, Segment& segment) {
+    /// A step that takes a token from memory reads no FIFO.
+    void access_memory(Process const& process, MemoryPort const& port, Segment& segment) {
         bool const is_rare = dice_for_memory_.one_in(2);
-        if (!port.loop && segment.kind == Segment::Kind::step)
+        auto const number = static_cast<std::size_t>(&process - design_.processes.data());
+        bool const may_step =
+            port.writes || std::all_of(segment.step.begin(), segment.step.end(),
+                                       [&](std::size_t fifo) { return design_.writes(number, fifo); });
+        if (!port.loop && segment.kind == Segment::Kind::step && may_step)
             segment.at_memory.push_back(dice_for_memory_.one_in(2));
         for (std::size_t i = 0; port.loop && segment.loop == *port.loop && i < segment.iterations.size(); ++i)
             segment.at_memory.push_back(!is_rare || dice_for_memory_.one_in(2));

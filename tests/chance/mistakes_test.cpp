@@ -106,4 +106,48 @@ TEST_CASE("tokens that nobody reads are counted") {
     check_both(pair, "13f of core 0 (1)");
 }
 
+/// The reader takes a token of memory in each of five iterations, as far as it tells of it and does so.
+Pair pair_at_memory(std::uint64_t told, std::uint64_t taken) {
+    Pair pair = sound_pair();
+    pair.reader.fetches("input").taken_by("receive");
+    pair.reads = [=](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.tell_ranges({{64, told, 4}});
+        clock.pipeline("receive", 10, [&](std::uint64_t i) {
+            fifo.read();
+            if (i < taken)
+                clock.access_memory();
+        });
+    };
+    return pair;
+}
+
+TEST_CASE("a module takes from memory what it has told of, where its description says so") {
+    MachineSettings settings;
+    settings.external_memory.model = MemoryModel::axi;
+    for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
+        auto const outcome = [&](Pair const& pair) { return outcome_of(pair, engine, settings); };
+        CHECK(outcome(pair_at_memory(5, 5)) == "61");  // the first in cycle 49, the last in 58
+        CHECK_THAT(
+            outcome(pair_at_memory(6, 5)),
+            Equals("module reader has told of 6 tokens of the memory for input, and accesses 5, expected all of them"));
+        CHECK_THAT(outcome(pair_at_memory(4, 5)), Contains("more often than it has told of tokens, which are 4"));
+        Pair other = pair_at_memory(5, 5);
+        other.reader.loop("other");
+        other.reader.streams.front().taken_by("other");
+        CHECK_THAT(outcome(other),
+                   Equals("module reader accesses the memory for input in the loop receive, expected it in "
+                          "the loop other"));
+        Pair step = pair_at_memory(1, 1);
+        step.reader.streams.front().taken_by("");
+        step.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+            clock.tell_ranges({{64, 1, 4}});
+            Step const both(clock);
+            clock.access_memory();
+            fifo.read();
+        };
+        CHECK_THAT(outcome(step), Equals("module reader takes input from the memory in a step that reads f, expected a "
+                                         "step for each"));
+    }
+}
+
 }  // namespace mistakes_test

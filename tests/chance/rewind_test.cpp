@@ -5,6 +5,7 @@
 
 namespace rewind_test {
 
+using namespace faster;
 using namespace faster::chance;
 using Catch::Matchers::Contains;
 using faster::Engine;

@@ -29,7 +29,9 @@ int sc_main(int /*argc*/, char** /*argv*/) {
     hls::stream<ap_int<12>> narrow("narrow");
     check(narrow.bits() == 12 && narrow.is_signed(), "12 bits with a sign");
     check(narrow.empty() && !narrow.read_nb(wrapped), "nothing to read");
-    check(narrow.write_nb(7) && narrow.read_nb(wrapped) && wrapped == 7, "what was written");
+    check(narrow.write_nb(7) && !narrow.full() && narrow.size() == 1, "what is there");
+    check(narrow.read_nb(wrapped) && wrapped == 7 && narrow.size() == 0, "what was written");
+    check(narrow.capacity() == 2 && hls::stream<int, 16>().capacity() == 16, "what the type says");
     hls::stream<ap_uint<70>, 4> wide("wide");
     check(wide.bits() == 70 && !wide.is_signed() && wide.depth() == 4, "70 bits, 4 deep");
     wide.write(5);

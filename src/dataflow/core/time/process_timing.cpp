@@ -238,8 +238,10 @@ void ProcessTiming::left() {
 }
 
 void ProcessTiming::stamped() {
-    bool const is_drain_to_come = state_.rests && shape_->call_start.ends_samples;
-    Cycles const time = state_.time + (is_drain_to_come ? static_cast<Cycles>(plan_->drain) : 0);
+    // At rest, the next iteration would begin so many steps before its first access.
+    Cycles const time = !state_.rests                     ? state_.time
+                        : shape_->call_start.ends_samples ? state_.time + static_cast<Cycles>(plan_->drain)
+                                                          : state_.time - plan_->fill;
     Cycles const cycle = time - std::min(time, shape_->stamps_back);
     figures_.stamps.push_back(cycle);
     if (observer_ != nullptr)

@@ -7,6 +7,7 @@
 #include "channels/taping.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/critical_path_of.hpp"
+#include "dataflow/run/replay/path_sweep.hpp"
 
 namespace dataflow {
 
@@ -65,7 +66,7 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
         watch_samples(accelerator, options, done);
     for (auto const& core : accelerator.cores()) {
         if (options.critical_path)
-            core->timing().leave_trail(options.trail_length);
+            core->timing().leave_trail(timing::forget_trunk, options.trail_length);
         if (options.hazards)
             core->watch_dependences();
     }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "dataflow/core/time/path_sweep.hpp"
 #include "dataflow/phrases/phrase_core.hpp"
+#include "dataflow/run/replay/path_sweep.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace read_stage_test {
@@ -477,7 +477,7 @@ Cycles length_of(PathSums const& path, Design const& design, CoreTiming const& c
 /// The path to the last access of each FIFO explains all of its cycle.
 void check_paths(Design const& design, Outcome const& simulated) {
     Timed timed(design);
-    timed.core().leave_trail();
+    timed.core().leave_trail(forget_trunk);
     timed.run_at_once();
     for (unsigned i = 0; i < design.programs.size(); ++i)
         for (PortOf const& port : design.programs[i].ports) {

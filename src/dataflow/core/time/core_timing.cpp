@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "dataflow/core/time/path_sweep.hpp"
-
 namespace dataflow::timing {
 
 namespace {
@@ -165,7 +163,8 @@ void CoreTiming::resolve_processes(ProcessMask processes) {
     shorten_trail();
 }
 
-void CoreTiming::leave_trail(std::size_t length) {
+void CoreTiming::leave_trail(ShortenTrail shorten, std::size_t length) {
+    shorten_trail_ = shorten;
     trail_ = std::make_unique<Trail>(length);
     for (ProcessTiming& process : processes_)
         process.set_trail(trail_.get());
@@ -176,7 +175,7 @@ void CoreTiming::shorten_trail() {
     if (trail_ == nullptr || !trail_->is_long())
         return;
     connect();
-    forget_trunk(*this, *trail_);
+    shorten_trail_(*this, *trail_);
 }
 
 /// Who has to go on before a process can.

@@ -65,8 +65,10 @@ class CoreTiming {
     std::unique_ptr<CoreTiming> copy();
     /// A core of the same FIFOs and processes, in which nothing has happened yet.
     std::unique_ptr<CoreTiming> blank_copy() const;
+    /// Makes a trail shorter that has become long, so that it tells the same to whoever follows it.
+    using ShortenTrail = void (*)(CoreTiming const&, Trail&);
     /// Takes down what decides the times from now on. Before anything has happened.
-    void leave_trail(std::size_t length = Trail::usual_length);
+    void leave_trail(ShortenTrail shorten, std::size_t length = Trail::usual_length);
     Trail const* trail() const { return trail_.get(); }
     /// All of it, which forgets it; in cycles since `origin`.
     std::vector<TrailEvent> take_trail(Cycles origin) { return trail_->take(origin); }
@@ -123,6 +125,7 @@ class CoreTiming {
     std::vector<Ends> ends_;            // by FIFO
     std::vector<ProcessMask> patient_;  // by process: those that need not go on at once when it has
     std::unique_ptr<Trail> trail_;
+    ShortenTrail shorten_trail_ = nullptr;
 };
 
 }  // namespace dataflow::timing

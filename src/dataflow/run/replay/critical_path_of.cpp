@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "dataflow/core/machine/core_ends.hpp"
-#include "dataflow/core/time/path_sweep.hpp"
+#include "dataflow/run/replay/path_sweep.hpp"
 
 namespace dataflow::replay {
 

@@ -7,6 +7,7 @@
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/core_variant.hpp"
 #include "dataflow/run/replay/outcomes.hpp"
+#include "dataflow/run/replay/path_sweep.hpp"
 #include "dataflow/run/replay/plain_reader.hpp"
 #include "dataflow/run/replay/replay.hpp"
 #include "dataflow/run/replay/retime_together.hpp"
@@ -55,7 +56,7 @@ Cores retime_cores(ScriptedRun const& run, Following following, Machine const& m
         cores.push_back(core_variant(*run.run().blueprint, machine));
         cores.back()->let_follow(run.lead(), answers);
         if (options.leave_trails)
-            cores.back()->leave_trail();
+            cores.back()->leave_trail(timing::forget_trunk);
         CoreShare const share = share_of(number, machine.cores, run.run().tape.samples());
         replays.push_back(
             std::make_unique<Replay>(source, plain_reader(run), share, *cores.back(), run.lead(), options.leaves));

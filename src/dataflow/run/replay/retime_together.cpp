@@ -12,6 +12,7 @@
 #include "dataflow/run/replay/core_variant.hpp"
 #include "dataflow/run/replay/critical_path_of.hpp"
 #include "dataflow/run/replay/outcomes.hpp"
+#include "dataflow/run/replay/path_sweep.hpp"
 #include "dataflow/run/replay/plain_reader.hpp"
 #include "dataflow/run/replay/sample_cutter.hpp"
 #include "dataflow/run/replay/scripted_core.hpp"
@@ -75,7 +76,7 @@ class Together {
             cores_.push_back(core_variant(*run.run().blueprint, machine));
             cores_.back()->let_follow(run.lead(), answers);
             if (options.leave_trails)
-                cores_.back()->leave_trail();
+                cores_.back()->leave_trail(timing::forget_trunk);
         }
         for (std::size_t core = 0; memory_ && core < cores_.size(); ++core)
             source == Source::scripts ? add_scripted(core) : memory_->add_core(*cores_[core], shares_[core].count > 0);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dataflow/core/time/path_sweep.hpp"
+#include "dataflow/run/replay/path_sweep.hpp"
 
 namespace dataflow::sizing {
 

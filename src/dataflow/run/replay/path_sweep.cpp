@@ -1,4 +1,4 @@
-#include "dataflow/core/time/path_sweep.hpp"
+#include "dataflow/run/replay/path_sweep.hpp"
 
 #include <algorithm>
 

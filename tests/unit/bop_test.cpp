@@ -510,7 +510,7 @@ TEST_CASE("Rows of results are mended, refused for those who ask, and compared i
                Catch::Contains("r.csv:3: time = 0.6, expected 0.5 as in the rows before of image 0"));
 }
 
-TEST_CASE("Confidences of detections are taken for those from 0 to 1, and that is said", "[bop]") {
+TEST_CASE("A score that is no confidence from 0 to 1 is refused, one that is missing is said", "[bop]") {
     TempFolder const folder;
     auto const detection = [](std::string const& score) {
         return R"({"scene_id": 1, "image_id": 2, "category_id": 3, "bbox": [1.5, 2, 3, 4])" + score + "}";

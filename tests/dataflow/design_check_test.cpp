@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "dataflow/core/machine/core_of.hpp"
 #include "dataflow/core/machine/machine.hpp"
@@ -63,21 +66,34 @@ TEST_CASE("a loop or a memory that is named and not described is told by name", 
 
 class Storing : public SimpleDesign {
   public:
-    Storing() : SimpleDesign({"storing", {}, {}}) {}
+    explicit Storing(std::vector<std::string> ports) : SimpleDesign({"storing", {}, {}}), ports_(std::move(ports)) {}
 
   private:
     CoreDescription describe(Numbers const& /*numbers*/) const override {
         ModuleDescription module("writer");
         module.loop("send").of_depth(1);
-        module.stores("out");
+        for (std::string const& port : ports_)
+            module.stores(port);
         return core_of({module});
     }
+
+    std::vector<std::string> ports_;
 };
 
-TEST_CASE("a port to a memory that a design has no keys for is told", "[machine]") {
-    CHECK(input_error_text([] { Storing().keys(); }) ==
-          "module writer stores out by a port to the external memory, which a simple design does not have, expected a "
-          "design with keys of its own (external_memory_keys())");
+TEST_CASE("a design with a port to the external memory has the keys of the memory", "[machine]") {
+    std::vector<Key> const keys = Storing({"out"}).keys();
+    auto const has = [&keys](char const* name) {
+        return std::any_of(keys.begin(), keys.end(), [name](Key const& key) { return key.name() == name; });
+    };
+    CHECK(has("accelerator.memory.model"));
+    CHECK(has("accelerator.memory.outstanding"));
+    CHECK_FALSE(has("accelerator.memory.prefetch"));  // no module works ahead
+    CHECK(
+        input_error_text([] {
+            Storing({"out", "log"}).keys();
+        }) ==
+        "module writer stores log by a port to the memory, and has another one for out, expected one, and a module for "
+        "each other");
 }
 
 }  // namespace design_check_test

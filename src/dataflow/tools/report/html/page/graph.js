@@ -164,7 +164,7 @@ class DataflowGraph {
   /// Name and most tokens, with the share of the capacity that those fill.
   add_gauge(group, label, row) {
     const [x, y] = label;
-    const width = Math.max(40, row.fifo.length * 6.4 + 6);
+    const width = Math.max(40, row.fifo.length * 6.6 + 8);
     const filled = row.capacity > 0 ? Math.min(1, row.max_occupancy / row.capacity) : 0;
     group.append(
       svg_element("rect", { x: x - width / 2, y: y - 9, width, height: 18, rx: 3, class: "gauge" }),

@@ -145,7 +145,7 @@ void ProcessClock::attempt_later(FifoChannel const& fifo, timing::Ports port,
     attempted_ = attempted_ | port;
     std::uint64_t const step = reached_ + step_of(port.first());
     put_off(
-        step, [step, attempt = std::move(attempt)] { attempt(step); }, true);
+        step, [step, attempt = std::move(attempt)] { attempt(step); }, timing::no_ports);
 }
 
 /// Of an iteration whose step lies in the window at hand.

@@ -214,6 +214,11 @@ unsigned ProcessClock::loop(std::string_view name) const {
                      did_you_mean(name, names));
 }
 
+bool ProcessClock::is_pipelined(unsigned loop) const {
+    Machine const& machine = dataflow_core_.machine();
+    return machine.loops[machine.loop(timing_.index(), timing_.loops()[loop].name)].is_pipelined;
+}
+
 std::uint64_t ProcessClock::number(std::string_view name) const {
     auto const& numbers = dataflow_core_.machine().processes[timing_.index()].numbers;
     auto const found = numbers.find(name);
@@ -256,7 +261,7 @@ timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.
 // kept from what it does in a step by accesses of later steps, of iterations that it has told of: others may wait for
 // what it does there. So the process is let go as far as the module has got, step by step.
 
-void ProcessClock::begin_pipeline(unsigned loop, SourceSite site) {
+void ProcessClock::open_loop(unsigned loop, SourceSite site) {
     if (is_taken_by_loop() && timing_.loops()[loop].uses_memory)
         enter_memory();
     enter_loop(loop, site);
@@ -291,8 +296,10 @@ void ProcessClock::take_before(std::uint64_t step) {
         Taking const taking = std::move(takings_.front());
         takings_.pop_front();
         if (makes_attempts_) {
-            if (!taking.is_attempt && taking.step > reached_)
+            if (!taking.reads.is_empty() && taking.step > reached_) {
                 come_to_step(taking.step);
+                taken_ = timing::no_ports;
+            }
         } else {
             reached_ = std::max(reached_, taking.step);
             follow();
@@ -301,7 +308,7 @@ void ProcessClock::take_before(std::uint64_t step) {
     }
 }
 
-void ProcessClock::end_pipeline() {
+void ProcessClock::close_loop() {
     if (makes_attempts_)
         drain();
     leave_loop();
@@ -316,11 +323,16 @@ void ProcessClock::later(FifoChannel const& fifo, std::function<void()> taking) 
         taking();
         return;
     }
-    put_off(reached_ + (makes_attempts_ ? step_of(fifo.read_port().first()) : stage), std::move(taking), false);
+    put_off(step_of_read(fifo), std::move(taking), fifo.read_port());
 }
 
-void ProcessClock::put_off(std::uint64_t step, std::function<void()> taking, bool is_attempt) {
-    Taking due{step, std::move(taking), is_attempt};
+/// Of the iteration at hand.
+std::uint64_t ProcessClock::step_of_read(FifoChannel const& fifo) const {
+    return reached_ + (makes_attempts_ ? step_of(fifo.read_port().first()) : fifo.timing().shape().read_stage);
+}
+
+void ProcessClock::put_off(std::uint64_t step, std::function<void()> taking, timing::Ports reads) {
+    Taking due{step, std::move(taking), reads};
     auto const at = std::upper_bound(takings_.begin(), takings_.end(), due,
                                      [](Taking const& one, Taking const& other) { return one.step < other.step; });
     takings_.insert(at, std::move(due));
@@ -479,6 +491,9 @@ void ProcessClock::wait_for_tokens(FifoChannel& fifo) {
         if (collected_.has(port))
             others = others | timing::Ports::of(port);
     });
+    for (Taking const& taking : takings_)
+        if (collecting_ && is_held_ && taking.step == step_of_read(fifo))
+            others = others | taking.reads;
     timing_.set_starving_with(others);
     timing_.note_site(fifo.read_port().first(), site_);
     fifo.reader_waits_ = true;

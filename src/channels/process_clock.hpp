@@ -146,33 +146,44 @@ class ProcessClock {
     /// All of a pipelined loop: `count` iterations of `body`, which is called with their numbers from 0 on. What it
     /// reads and writes through plain ports are the accesses of the iteration; time passes between iterations only.
     /// What it reads through plain ports is read in the first stage of the loop that accesses anything; any other
-    /// read is for take_later(). Errors: InputError for a plain read of a FIFO that the loop reads in a later stage.
+    /// read is for take_later(). Without an iteration, the loop is not entered. Errors: InputError for a plain read of
+    /// a FIFO that the loop reads in a later stage.
     template <class Body>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
-        begin_pipeline(loop(loop_name), site);
+        unsigned const number = loop(loop_name);
+        if (count == 0 && is_pipelined(number))
+            return;
+        open_loop(number, site);
         for (std::uint64_t i = 0; i < count; ++i) {
-            reach(i);
-            collecting_ = true;
+            open_iteration(i);
             body(i);
-            collecting_ = false;
-            end_body();
+            close_iteration();
         }
-        end_pipeline();
+        close_loop();
     }
     /// Of a loop whose trip count depends on what it does: as many iterations as `body` asks for, by returning true.
     template <class Body>
     void pipeline_while(std::string_view loop_name, Body body, SourceSite site = SourceSite::here()) {
-        begin_pipeline(loop(loop_name), site);
+        open_loop(loop(loop_name), site);
         bool goes_on = true;
         for (std::uint64_t i = 0; goes_on; ++i) {
-            reach(i);
-            collecting_ = true;
+            open_iteration(i);
             goes_on = body(i);
-            collecting_ = false;
-            end_body();
+            close_iteration();
         }
-        end_pipeline();
+        close_loop();
     }
+    /// A loop in pieces, for who has no body that can be called. Iterations are numbered from 0 on.
+    void open_loop(unsigned loop, SourceSite site = SourceSite::here());
+    void open_iteration(std::uint64_t iteration) {
+        reach(iteration);
+        collecting_ = true;
+    }
+    void close_iteration() {
+        collecting_ = false;
+        end_body();
+    }
+    void close_loop();
     /// In the body of an iteration, which reads a FIFO in a later stage (FifoEnd::taken): when the iteration has got to
     /// that stage, `use` is called with the token. That is before the body of any iteration that begins after that, and
     /// after those of all that begin before. Tokens that `use` makes of it are put into their FIFOs by put(), and the
@@ -320,7 +331,7 @@ class ProcessClock {
     void require_first_stage(FifoChannel const& fifo) const;
     void require_once(timing::Ports port) const;
     bool is_named_by_loop(unsigned port) const;
-    void begin_pipeline(unsigned loop, SourceSite site);
+    bool is_pipelined(unsigned loop) const;
     void reach(std::uint64_t iteration);
     void end_body();
     void take_before(std::uint64_t step);
@@ -337,9 +348,9 @@ class ProcessClock {
     void come_to_step(std::uint64_t step);
     void require_attempts(FifoChannel const& fifo, timing::Ports port) const;
     static timing::Ports write_port_of(FifoChannel const& fifo);
-    void end_pipeline();
     void later(FifoChannel const& fifo, std::function<void()> taking);
-    void put_off(std::uint64_t step, std::function<void()> taking, bool is_attempt);
+    std::uint64_t step_of_read(FifoChannel const& fifo) const;
+    void put_off(std::uint64_t step, std::function<void()> taking, timing::Ports reads);
     std::vector<FifoChannel*> channels_of(std::vector<std::size_t> const& fifos) const;
     FifoChannel& channel_of(std::size_t fifo) const;
 
@@ -368,7 +379,7 @@ class ProcessClock {
     struct Taking {
         std::uint64_t step;
         std::function<void()> take;
-        bool is_attempt;
+        timing::Ports reads;  ///< none: an attempt, which does not wait
     };
     std::deque<Taking> takings_;  // of what is read later, in the order of their steps
     unsigned pipelined_ = 0;      // the loop's number

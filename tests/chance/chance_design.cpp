@@ -27,7 +27,11 @@ constexpr std::size_t by_steps = ~std::size_t{0};
 
 class Maker {
   public:
-    explicit Maker(std::uint64_t seed) : dice_(seed), dice_for_attempts_(~seed), dice_for_memory_(seed ^ 0x5A5A5A5A) {}
+    explicit Maker(std::uint64_t seed)
+        : dice_(seed),
+          dice_for_attempts_(~seed),
+          dice_for_memory_(seed ^ 0x5A5A5A5A),
+          dice_for_empty_(seed ^ 0x3C3C3C3C) {}
 
     Design make() {
         add_processes();
@@ -42,6 +46,9 @@ class Maker {
         let_rewind();
         if (dice_for_memory_.one_in(3))
             add_memory();
+        for (Process& process : design_.processes)
+            if (dice_for_empty_.one_in(5))
+                add_empty_loop(process);
         return design_;
     }
 
@@ -187,6 +194,20 @@ class Maker {
         }
     }
 
+    /// Without an iteration, anywhere among what a process does.
+    void add_empty_loop(Process& process) {
+        auto const is_something = [](Segment const& segment) { return segment.kind != Segment::Kind::wait; };
+        bool const is_busy = std::any_of(process.program.begin(), process.program.end(), is_something);
+        std::size_t const loop = process.loops.empty() ? 0 : dice_for_empty_.below(process.loops.size());
+        if (!is_busy || process.loops.empty() || design_.rewinds(process) || process.port.loop == loop)
+            return;
+        Segment segment;
+        segment.kind = Segment::Kind::loop;
+        segment.loop = loop;
+        std::uint64_t const at = dice_for_empty_.below(process.program.size() + 1);
+        process.program.insert(process.program.begin() + static_cast<std::ptrdiff_t>(at), segment);
+    }
+
     void add_memory() {
         set_memory(design_.memory, dice_for_memory_);
         for (Process& process : design_.processes) {
@@ -288,6 +309,7 @@ class Maker {
     Dice dice_;
     Dice dice_for_attempts_;
     Dice dice_for_memory_;
+    Dice dice_for_empty_;
     Design design_;
 };
 
@@ -471,8 +493,8 @@ std::string text_of(Design const& design) {
                     : segment.kind == Segment::Kind::step
                         ? "  step" + list(segment.step) + "\n"
                         : "  run loop" + std::to_string(segment.loop) + " " +
-                              std::to_string(segment.iterations.size()) + " times, first" +
-                              list(segment.iterations.front()) + "\n";
+                              std::to_string(segment.iterations.size()) + " times" +
+                              (segment.iterations.empty() ? "" : ", first" + list(segment.iterations.front())) + "\n";
     }
     return text;
 }

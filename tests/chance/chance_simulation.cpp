@@ -17,6 +17,7 @@
 #include "dataflow/run/events/event_file.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/tools/report/summary.hpp"
+#include "dataflow/tools/sizing/size_fifos.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/byte_stream.hpp"
 #include "support/forked_bytes.hpp"
@@ -239,7 +240,33 @@ void retime_as(Design const& other, replay::RecordedRun const& recorded, Outcome
     }
 }
 
-Outcome run_here(Design const& design, Design const& other, faster::Engine engine, bool records) {
+/// Little is asked of the search: small designs have few combinations, and an answer without a proof is one, too.
+std::optional<Outcome::Sized> size(Design const& design, replay::RecordedRun const& recorded, RunConfig const& config) {
+    sizing::SizingOptions options;
+    options.front_points = 0;
+    options.most_retimings = 100;
+    try {
+        sizing::Sizing const sizing = sizing::size_fifos(recorded, config, options);
+        Outcome::Sized sized;
+        sized.bound = sizing.bound;
+        for (Fifo const& fifo : design.fifos) {
+            sizing::FifoChoice const& choice = sizing.answer.choice[sizing.machine.fifo(fifo.name)];
+            sized.depths.push_back(choice.depth);
+            sized.kinds.push_back(choice.kind);
+        }
+        RunStatistics const run = replay::retime(recorded, with_choice(sizing.machine, sizing.answer.choice));
+        if (run.total_cycles != sizing.answer.total_cycles)
+            throw std::logic_error("the answer takes other cycles than were found");
+        sized.figures = figures_of(run);
+        return sized;
+    } catch (InputError const& error) {
+        if (std::string(error.what()).find("without waiting") == std::string::npos)
+            throw;
+        return std::nullopt;
+    }
+}
+
+Outcome run_here(Design const& design, Design const& other, faster::Engine engine, bool records, bool sizes) {
     Outcome outcome;
     try {
         design_at_hand() = design;
@@ -260,6 +287,8 @@ Outcome run_here(Design const& design, Design const& other, faster::Engine engin
             outcome.as_is = figures_of(replay::retime(recorded, *machine));
             outcome.from_file = figures_from_file(loaded, recorded, run);
             retime_as(other, recorded, outcome);
+            if (sizes)
+                outcome.sized = size(design, recorded, loaded.config);
         }
     } catch (std::exception const& error) {
         outcome.error = error.what();
@@ -268,7 +297,7 @@ Outcome run_here(Design const& design, Design const& other, faster::Engine engin
 }
 
 void put(testing::ByteWriter& writer, Figures const& figures) {
-    writer.put(figures.is_stuck, figures.lines.size());
+    writer.put(figures.is_stuck, figures.total_cycles, figures.lines.size());
     for (std::string const& line : figures.lines)
         writer.put(line);
 }
@@ -276,6 +305,7 @@ void put(testing::ByteWriter& writer, Figures const& figures) {
 Figures get(testing::ByteReader& reader) {
     Figures figures;
     reader.get(figures.is_stuck);
+    reader.get(figures.total_cycles);
     figures.lines.resize(reader.get_size());
     for (std::string& line : figures.lines)
         reader.get(line);
@@ -288,20 +318,34 @@ std::string bytes_of(Outcome const& outcome) {
     writer.put(outcome.refusal);
     for (Figures const* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
         put(writer, *figures);
+    writer.put(outcome.sized.has_value());
+    if (outcome.sized) {
+        writer.put(outcome.sized->depths, outcome.sized->kinds, outcome.sized->bound);
+        put(writer, outcome.sized->figures);
+    }
     return writer.bytes();
 }
 
 }  // namespace
 
-Outcome run_forked(Design const& design, Design const& other, faster::Engine engine, bool records) {
+Outcome run_forked(Design const& design, Design const& other, faster::Engine engine, bool records, bool sizes) {
     Outcome outcome;
     try {
         testing::ByteReader reader(
-            testing::forked_bytes([&] { return bytes_of(run_here(design, other, engine, records)); }));
+            testing::forked_bytes([&] { return bytes_of(run_here(design, other, engine, records, sizes)); }));
         reader.get(outcome.error);
         reader.get(outcome.refusal);
         for (Figures* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
             *figures = get(reader);
+        bool is_sized = false;
+        reader.get(is_sized);
+        if (is_sized) {
+            outcome.sized.emplace();
+            reader.get(outcome.sized->depths);
+            reader.get(outcome.sized->kinds);
+            reader.get(outcome.sized->bound);
+            outcome.sized->figures = get(reader);
+        }
     } catch (std::runtime_error const& error) {
         outcome.error = error.what();
     }

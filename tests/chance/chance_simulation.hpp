@@ -1,5 +1,8 @@
 #pragma once
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "chance/chance_design.hpp"
 #include "chance/figures.hpp"
@@ -17,9 +20,18 @@ struct Outcome {
     Figures from_file;    ///< ... and likewise from its event file
     Figures other;        ///< retimed as another design, unless
     std::string refusal;  ///< an attempt would come out otherwise
+    /// The cheapest FIFOs that cost no time, and the recording retimed with them; unless attempts keep from looking.
+    struct Sized {
+        std::vector<std::uint64_t> depths;  ///< by FIFO
+        std::vector<FifoKind> kinds;
+        Cycles bound = 0;
+        Figures figures;
+    };
+    std::optional<Sized> sized;
 };
 
-/// With `records`, the run is recorded; `other` is the same design with other timing keys.
-Outcome run_forked(Design const& design, Design const& other, Engine engine, bool records);
+/// With `records`, the run is recorded, and with `sizes` as well, its FIFOs are sized; `other` is the same design with
+/// other timing keys.
+Outcome run_forked(Design const& design, Design const& other, Engine engine, bool records, bool sizes = false);
 
 }  // namespace faster::chance

@@ -17,7 +17,8 @@ struct Step {
     Accesses attempts;                  ///< that take place if they can
     std::optional<std::size_t> rest;    ///< a FIFO: not once, but as long as there has not been read
     std::uint64_t rest_until = 0;       ///< so much of it
-    std::optional<std::size_t> begins;  ///< the first step of this sample of the core
+    std::optional<std::size_t> begins;  ///< the first step of this sample of the core,
+    Cycles begins_before = 0;           ///< or so many steps behind it
     std::optional<std::size_t> calls;   ///< the first of what the process does in it, behind its start
     std::optional<std::size_t> ends;    ///< the last
     std::optional<std::size_t> enters;  ///< an entry of the external memory
@@ -44,6 +45,10 @@ std::size_t append_loop(Design const& design, std::size_t number, Segment const&
     Process const& process = design.processes[number];
     Loop const& loop = process.loops[segment.loop];
     Cycles const interval = interval_of(process, loop);
+    if (segment.iterations.empty()) {
+        steps.resize(begin + loop.exit);
+        return begin;
+    }
     steps.resize(std::max(steps.size(), begin + (segment.iterations.size() - 1) * interval + loop.depth + loop.exit));
     for (std::size_t i = 0; i < segment.iterations.size(); ++i)
         for (std::size_t const fifo : segment.iterations[i]) {
@@ -92,6 +97,18 @@ void mark_memory(Design const& design, std::size_t number, std::size_t sample, S
         }
 }
 
+/// Of all accesses that an iteration may make.
+Cycles first_stage(Design const& design, std::size_t number, std::size_t loop) {
+    Process const& process = design.processes[number];
+    Cycles first = process.loops[loop].depth;
+    for (std::size_t const fifo : process.ends)
+        first = std::min(first, design.stage(number, fifo));
+    bool const uses_memory = design.has_memory() && process.port.is_there && process.port.loop == loop;
+    if (uses_memory)
+        first = std::min(first, process.port.writes ? process.loops[loop].depth - 1 : 0);
+    return first == process.loops[loop].depth ? 0 : first;
+}
+
 /// `first`: sample of the run that the core begins with.
 Program program_of(Design const& design, std::size_t number, std::size_t first, std::size_t samples) {
     Process const& process = design.processes[number];
@@ -119,7 +136,9 @@ Program program_of(Design const& design, std::size_t number, std::size_t first, 
             }
             mark_memory(design, number, first + sample, segment, at, program);
         }
-        steps[begin].begins = sample;
+        Cycles const before = goes_on ? first_stage(design, number, process.program.front().loop) : 0;
+        steps[begin + before].begins = sample;
+        steps[begin + before].begins_before = before;
         steps[call].calls = sample;
         steps.back().ends = sample;
     }
@@ -145,8 +164,10 @@ class CoreSimulation {
     struct OfProcess {
         Steps steps;
         std::size_t next = 0;
-        Cycles arrived = 0;  ///< at the step to come
+        Cycles arrived = 0;      ///< at the step to come
+        Cycles handed_over = 0;  ///< when the call to begin, or begun last, was given its buffers
         Cycles end = 0;
+        bool is_handed_over = false;
         bool has_accessed = false;
         Cycles empty = 0, full = 0, idle = 0;
         std::vector<Cycles> begins, ends;
@@ -245,6 +266,11 @@ class CoreSimulation {
         return arrived;
     }
 
+    Cycles waits_since(std::size_t number) const {
+        OfProcess const& process = processes[number];
+        return process.is_handed_over ? std::max(arrival(number), process.handed_over) : arrival(number);
+    }
+
     bool may_access(std::size_t process, std::size_t number) const {
         OfFifo const& fifo = fifos[number];
         if (!design_.writes(process, number))
@@ -268,8 +294,10 @@ class CoreSimulation {
             ++(is_first ? process.idle : awaited->writes ? process.full : process.empty);
             return false;
         }
-        if (process.steps[process.next].calls && !design_.processes[number].buffers.empty())
+        if (process.steps[process.next].calls && !design_.processes[number].buffers.empty()) {
             process.has_accessed = true;
+            process.handed_over = std::exchange(process.is_handed_over, true) ? process.handed_over : cycle_;
+        }
         Step& step = process.steps[process.next];
         if (step.enters && process.master)
             memory_->master(*process.master).begin_entry(*std::exchange(step.enters, std::nullopt), cycle_);
@@ -296,6 +324,7 @@ class CoreSimulation {
         Cycles const arrived = arrival(number);
         Step const& step = process.steps[process.next];
         process.next += step.rest ? 0U : 1U;
+        process.is_handed_over = false;
         if (step.token && process.master) {
             testing::TwinMasterModel& master = memory_->master(*process.master);
             design_.processes[number].port.writes ? master.give(step.token->first, step.token->second, cycle_ + 1)
@@ -312,7 +341,7 @@ class CoreSimulation {
         }
         // A sample begins when the process gets to its first step, and waits there.
         if (step.begins)
-            process.begins.push_back(arrived);
+            process.begins.push_back(arrived - step.begins_before);
         if (step.ends)
             process.ends.push_back(cycle_);
         process.arrived = process.end = cycle_ + 1;
@@ -397,7 +426,7 @@ void add_waits(Design const& design, std::size_t core, CoreSimulation const& sim
         if (process.is_done())
             continue;
         std::string line;
-        Cycles const since = simulation.arrival(i);
+        Cycles const since = simulation.waits_since(i);
         if (auto const awaited = simulation.hand_over_awaited(i); awaited)
             line = wait_line(core, design.processes[i].name, awaited->fifo, awaited->writes, since,
                              design.processes[awaited->other].name, awaited->holds);
@@ -427,7 +456,7 @@ void add_tables(Design const& design, std::size_t core, CoreSimulation const& si
         for (std::size_t i = 0; i < process.loops.size(); ++i) {
             std::uint64_t entries = 0, iterations = 0;
             for (Segment const& segment : process.program)
-                if (segment.kind == Segment::Kind::loop && segment.loop == i) {
+                if (segment.kind == Segment::Kind::loop && segment.loop == i && !segment.iterations.empty()) {
                     entries += design.rewinds(process) ? std::min<std::size_t>(samples, 1) : samples;
                     iterations += samples * segment.iterations.size();
                 }

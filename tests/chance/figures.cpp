@@ -68,6 +68,7 @@ Figures figures_of(RunStatistics const& run) {
                                               one.waits_for, one.occupancy));
         return figures;
     }
+    figures.total_cycles = run.total_cycles;
     figures.lines.push_back(fmt::format("total {}", run.total_cycles));
     for (SampleStatistics const& sample : run.samples)
         figures.lines.push_back(sample_line(sample.sample, sample.start_cycle, sample.end_cycle));

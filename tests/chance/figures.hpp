@@ -11,6 +11,7 @@ namespace faster::chance {
 struct Figures {
     std::vector<std::string> lines;
     bool is_stuck = false;
+    Cycles total_cycles = 0;
     /// Of a simulation cycle by cycle: what attempts found, a letter each; by process of all cores.
     std::vector<std::string> outcomes;
 };

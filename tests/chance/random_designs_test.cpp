@@ -13,7 +13,7 @@ using namespace faster::chance;
 using faster::Engine;
 
 struct Count {
-    std::uint64_t designs = 0, stuck = 0, others_stuck = 0, with_attempts = 0, refused = 0;
+    std::uint64_t designs = 0, stuck = 0, others_stuck = 0, with_attempts = 0, refused = 0, sized = 0;
 };
 
 void check(Figures const& found, Figures const& expected, char const* which) {
@@ -52,6 +52,23 @@ void check_retiming(Outcome const& outcome, Figures const& twin, Figures const& 
     ++count.refused;
 }
 
+/// With the FIFOs that sizing found, the twin takes what the answer says, and no more than the bound.
+void check_sizing(Outcome const& outcome, Design const& design, Count& count) {
+    if (!outcome.sized)
+        return;
+    ++count.sized;
+    Design sized = design;
+    for (std::size_t i = 0; i < sized.fifos.size(); ++i) {
+        if (sized.fifos[i].is_ping_pong)
+            continue;
+        sized.fifos[i].depth = outcome.sized->depths[i];
+        sized.fifos[i].kind = outcome.sized->kinds[i];
+    }
+    INFO(text_of(sized));
+    check(outcome.sized->figures, simulated(sized), "sized");
+    CHECK(outcome.sized->figures.total_cycles <= outcome.sized->bound);
+}
+
 /// Both engines, recorded or not, retimings as it is, from a file and as another design, against the twin.
 void check_seed(std::uint64_t seed, Count& count) {
     Design const design = random_design(seed);
@@ -66,7 +83,7 @@ void check_seed(std::uint64_t seed, Count& count) {
     for (Engine const engine : {Engine::lockstep, Engine::decoupled})
         for (bool const records : {false, true}) {
             CAPTURE(engine == Engine::lockstep, records);
-            Outcome const outcome = run_forked(design, other, engine, records);
+            Outcome const outcome = run_forked(design, other, engine, records, seed % 4 == 0);
             CHECK(outcome.error == "");
             check(outcome.run, twin, "run");
             if (of_first.lines.empty())
@@ -78,6 +95,7 @@ void check_seed(std::uint64_t seed, Count& count) {
             check(outcome.from_file, twin, "from its event file");
             INFO(text_of(other));
             check_retiming(outcome, twin, other_twin, count);
+            check_sizing(outcome, design, count);
         }
 }
 
@@ -94,10 +112,11 @@ TEST_CASE("random designs do the same in both engines, retimed, and in a simulat
         check_seed(seed, count);
     WARN(designs << " random designs from seed " << first << " on: " << count.stuck << " get stuck, retimed "
                  << count.others_stuck << "; " << count.with_attempts << " make attempts, " << count.refused
-                 << " retimings of which are refused");
+                 << " retimings of which are refused; " << count.sized << " recordings are sized");
     if (designs >= 300) {
         CHECK(count.stuck > designs / 20);
         CHECK(count.stuck < designs / 2);  // most get to their ends
+        CHECK(count.sized > designs / 10);
     }
 }
 

@@ -32,7 +32,7 @@ class ByteWriter {
         bytes_ += text;
     }
     template <class Number> void put_one(std::vector<Number> const& numbers) {
-        static_assert(std::is_arithmetic_v<Number>);
+        static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
         put_one(numbers.size());
         bytes_.append(reinterpret_cast<char const*>(numbers.data()), numbers.size() * sizeof(Number));
     }
@@ -75,7 +75,7 @@ class ByteReader {
         take(text.data(), text.size());
     }
     template <class Number> void get_one(std::vector<Number>& numbers) {
-        static_assert(std::is_arithmetic_v<Number>);
+        static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
         numbers.resize(get_size());
         take(numbers.data(), numbers.size() * sizeof(Number));
     }

@@ -78,12 +78,21 @@ class MemoryStream {
         fifo_.deliver(tokens, next);
         readable_ = fifo_.earliest_read(fifo_.known_reads() - 1);
     }
+    /// Tokens that cost nothing, as the memory is ideal.
+    void deliver_at_once(std::uint64_t tokens) {
+        is_ideal_ = true;
+        deliver(tokens, Cycles{0});
+    }
+    bool is_ideal() const { return is_ideal_; }
     void add_tape(DeliveryTape& tape) { tapes_.push_back(&tape); }
     void remove_tape(DeliveryTape& tape) {
         tapes_.erase(std::remove(tapes_.begin(), tapes_.end(), &tape), tapes_.end());
     }
     /// Stands where another stream does, and is at no memory: it has to be told what that one is delivered.
-    void take_state(MemoryStream const& other) { fifo_ = other.fifo_; }
+    void take_state(MemoryStream const& other) {
+        fifo_ = other.fifo_;
+        is_ideal_ = other.is_ideal_;
+    }
     /// The next tokens need nothing.
     void deliver_free(std::uint64_t tokens) { deliver(tokens, readable_); }
     /// Tokens taken and not forgotten, and the cycle after the i-th of them was taken.
@@ -96,6 +105,7 @@ class MemoryStream {
     EntersBy enters_by_;
     std::deque<Cycles> entered_;
     std::uint64_t told_ = 0;
+    bool is_ideal_ = false;
     std::vector<DeliveryTape*> tapes_;
     Cycles readable_ = 0;  // from when on the last token delivered can be read
 };

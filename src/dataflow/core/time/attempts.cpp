@@ -75,7 +75,10 @@ void ProcessTiming::open_window() {
     open_iteration(0, false);
 }
 
+/// With a longer II than when it was told, a loop has fewer windows left.
 bool ProcessTiming::end_window() {
+    if (state_.pipeline.drain_left == 0 && !state_.pipeline.open)
+        return true;
     open_window();
     if (!pass_phases(0, false))
         return false;

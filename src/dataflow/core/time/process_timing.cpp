@@ -211,7 +211,7 @@ void ProcessTiming::performs(Ports::Number ports, Cycles arrival) {
         return;
     figures_.has_accessed = true;
     by_steps_ = observer_ != nullptr || makes_attempts_;
-    bool const waits_for_memory = stream_ != nullptr && !stream_->is_write() && Ports(ports).has(stream_port_);
+    bool const waits_for_memory = takes_from_memory() && !stream_->is_ideal() && Ports(ports).has(stream_port_);
     figures_.idle_before_cycles = arrival == 0 && !waits_for_memory ? state_.time : 0;
 }
 

@@ -73,7 +73,6 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     using Rules::in_loop;
     using Rules::is_in_iteration;
     using Rules::long_count;
-    using Rules::not_before;
     static constexpr unsigned most_accesses = Rules::most_in_run;  ///< of an iteration of an aligned loop
 
     enum class Status { exhausted, blocked, ready };
@@ -153,6 +152,11 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     std::string const& name() const { return name_; }
     unsigned index() const { return index_; }
     Cycles local_time() const { return state_.time; }
+    /// No access to come is before this cycle.
+    Cycles not_before() const {
+        Cycles const cycle = Rules::not_before();
+        return cycle <= state_.time ? cycle : 0;  // a loop shorter than its II, entered in cycle 0
+    }
     /// The first cycle in which it has nothing to do any more, of what is known.
     Cycles end() const { return flushes() ? state_.flushing.end(state_.time) : state_.time; }
     /// For each token in a flushing pipeline that has no room yet: what has decided so far when it leaves.

@@ -194,7 +194,7 @@ class Together {
             timing::MemoryStream& stream = cores_[core]->stream(master);
             stream.forget_taken(stream.is_write() ? 0 : stream.taken());
             for (timing::MemoryEntry const& entry : masters[master])
-                stream.deliver(stream.is_write() ? 0 : tokens_of(entry), Cycles{0});
+                stream.deliver_at_once(stream.is_write() ? 0 : tokens_of(entry));
         }
     }
 

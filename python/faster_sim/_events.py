@@ -20,8 +20,9 @@ from faster_sim._tables import Table
 
 
 class Retimed(NamedTuple):
-    """A row of a matrix; None: it deadlocks."""
+    """A row of a matrix; None where it is not done."""
 
+    status: str
     total_cycles: Optional[int]
     milliseconds: Optional[float]
 
@@ -77,21 +78,22 @@ class Events:
         return self._retimer.retime(_values.overrides({**values, **more}))
 
     def whatif_matrix(self, configurations: Sequence[Mapping[str, object]], *, progress: Optional[Progress] = None) -> Table:
-        """A row for each configuration, on all host cores: the keys that any of them names, `status` (done or deadlock),
-        `total_cycles` and `milliseconds`, which are masked where it deadlocks."""
+        """A row for each configuration, on all host cores: the keys that any of them names, `status` (done, deadlock, or
+        unknown: a non-blocking access might find something else, and only a run can tell), `total_cycles` and
+        `milliseconds`, which are masked unless it is done."""
         rows = [dict(values) for values in configurations]
         found = self._retimer.retime_many([_values.overrides(row) for row in rows], progress)
         keys = list(dict.fromkeys(key for row in rows for key in row))
         columns = {key: _tables.of_cells([_cell(row.get(key, self.config.get(key.replace("__", ".")))) for row in rows])
                    for key in keys}
-        columns["status"] = numpy.ma.array(["deadlock" if one.total_cycles is None else "done" for one in found], dtype="U8")
+        columns["status"] = numpy.ma.array([one.status for one in found], dtype="U8")
         columns["total_cycles"] = _tables.of_cells([one.total_cycles for one in found], numpy.int64)
         columns["milliseconds"] = _tables.of_cells([one.milliseconds for one in found], float)
         return _tables.of_columns(columns)
 
     def sensitivities(self, values: Mapping[str, object] = {}, /, *, progress: Optional[Progress] = None) -> Table:
-        """How many cycles one step of each timing key changes: sensitivities.csv, but for `status` (done, deadlock, invalid)
-        instead of `outcome`. Figures are masked unless done."""
+        """How many cycles one step of each timing key changes: sensitivities.csv, but for `status` (done, deadlock, invalid,
+        unknown) instead of `outcome`. Figures are masked unless done."""
         table = self._retimer.sensitivities(_values.overrides(values), progress)
         header, newline, rows = table.partition("\n")
         steps = _tables.of_csv(header.replace("outcome", "status") + newline + rows)
@@ -129,7 +131,7 @@ class _InProcess:
         return Result(retimed.total_cycles, retimed.milliseconds, lambda name: str(getattr(retimed, name)))
 
     def retime_many(self, rows: list[list[str]], progress: Optional[Progress]) -> list[Retimed]:
-        return [Retimed(cycles, None if cycles is None else cycles / (mhz * 1e3))
+        return [Retimed("deadlock", None, None) if cycles is None else Retimed("done", cycles, cycles / (mhz * 1e3))
                 for cycles, mhz in self._core.retime_many(rows, progress)]
 
     def sensitivities(self, overrides: list[str], progress: Optional[Progress]) -> str:
@@ -171,7 +173,8 @@ class _ByProgram:
                 place = re.escape(str(matrix)) + r":(\d+): "
                 raise InputError(re.sub(place, lambda found: f"row {int(found[1]) - 1}: ", str(error))) from None
             table = _tables.of_csv(csv.read_text(encoding="utf-8"))
-        return [Retimed(*row) for row in zip(table["total_cycles"].tolist(), table["milliseconds"].tolist())]
+        statuses = ["done" if outcome == "finished" else outcome for outcome in table["outcome"].tolist()]
+        return [Retimed(*row) for row in zip(statuses, table["total_cycles"].tolist(), table["milliseconds"].tolist())]
 
     def sensitivities(self, overrides: list[str], progress: Optional[Progress]) -> str:
         if overrides:

@@ -331,6 +331,13 @@ TEST_CASE("What an arbiter finds is not retimed if it might find something else,
     std::uint64_t const slower = example.cycles({"accelerator.loops.second.produce.ii=3"});
     CHECK(slower > 207);
     CHECK_THAT(example.text("sweep/results.csv"), Contains("207") && Contains(std::to_string(slower)));
+    std::ofstream(example / "list.yaml")
+        << "- {accelerator.loops.second.produce.ii: 3}\n- {accelerator.loops.first.produce.depth: 2}\n";
+    example.done(
+        {"whatif", "events", "--matrix", (example / "list.yaml").string(), "--csv", (example / "table.csv").string()});
+    CHECK_THAT(example.text("table.csv"), Contains("accelerator.loops.second.produce.ii=3,unknown,,,\n"));
+    example.done({"sensitivities", "events", "--csv", (example / "steps.csv").string()});
+    CHECK_THAT(example.text("steps.csv"), Contains("accelerator.modules.first.starts,0,1,unknown,,,0,unknown\n"));
 }
 
 /// With o = 4 bursts of 16 tokens under way, of R = 64 cycles: row "outstanding" of docs/memory-model.md, by hand.

@@ -7,7 +7,9 @@
 #include <unistd.h>
 #include <vector>
 
+#include "dataflow/base/files/scratch.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/program_output.hpp"
 #include "dataflow/commands/exit_codes.hpp"
 #include "dataflow/commands/explore_server.hpp"
 #include "dataflow/commands/options.hpp"
@@ -81,6 +83,17 @@ explore::Exploration::Require require_room(ExploreRequest const& request) {
     };
 }
 
+/// In a process of its own: SystemC's modules are made once in each.
+events::EventFile run_again(std::string const& yaml) {
+    std::string const name = "explore-" + std::to_string(getpid());
+    io::Scratch const folder(std::filesystem::temp_directory_path() / name, io::Scratch::Kind::folder);
+    std::filesystem::path const configuration = folder.path() / "config.yaml", events = folder.path() / "events";
+    std::ofstream(configuration) << yaml;
+    std::string const program = std::filesystem::read_symlink("/proc/self/exe");
+    program_output({program, "run", configuration, "--events", events}, "");
+    return events::read_event_file(events);
+}
+
 std::string host_name() {
     char name[256] = "this host";
     gethostname(name, sizeof name - 1);
@@ -94,7 +107,8 @@ int explore_run(ExploreRequest const& request) {
     if (!recorded)
         return exit_deadlock;
     explore::Exploration exploration(std::filesystem::path(request.input).filename().string(),
-                                     std::move(recorded->loaded), std::move(recorded->run), require_room(request));
+                                     std::move(recorded->loaded), std::move(recorded->run), require_room(request),
+                                     run_again);
     explore::Answers answers(exploration);
     ExploreServer server(answers, request.port);
     say("{}\n\nOn another machine, open the same address after\n  ssh -N -L {}:127.0.0.1:{} {}\n\nCtrl-C ends it.\n",

@@ -132,7 +132,7 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
     {
         ProgressLine progress("configurations");
         std::size_t done = 0;
-        replay::retime_many(recorded.run, machines, [&](std::size_t i, RunStatistics const& run) {
+        replay::retime_many(recorded.run, machines, [&](std::size_t i, std::optional<RunStatistics> const& run) {
             table.set_result(i, run);
             progress.show(++done, machines.size());
         });

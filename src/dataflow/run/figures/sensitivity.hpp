@@ -10,6 +10,7 @@ namespace dataflow {
 /// Why a key has no more slack than it has.
 enum class SlackEnd {
     costs,    ///< one more makes the run longer, or deadlock
+    unknown,  ///< only a run can tell of one more
     invalid,  ///< the configuration does not allow one more
     limit,    ///< one more was not tried
 };
@@ -24,9 +25,12 @@ struct Slack {
 struct SensitivityStep {
     bool valid = false;  ///< the configuration allows it
     bool deadlocks = false;
-    Cycles total_cycles = 0;       ///< if valid and not deadlocked
+    Cycles total_cycles = 0;       ///< if valid, not deadlocked and known
     std::optional<Slack> slack{};  ///< in this direction, if asked for
+    bool needs_run = false;        ///< a non-blocking access might find something else than in the recorded run
 };
+
+inline bool finishes(SensitivityStep const& step) { return step.valid && !step.deadlocks && !step.needs_run; }
 
 /// One timing key, a step down and a step up.
 struct Sensitivity {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "dataflow/base/input_error.hpp"
 #include "dataflow/base/program_name.hpp"
 
 namespace dataflow::replay {
@@ -13,7 +12,7 @@ void require_same(timing::ProcessTiming const& process, bool is_over) {
     auto const deviation = process.deviation(is_over);
     if (!deviation)
         return;
-    throw InputError(
+    throw OutcomeDiffers(
         fmt::format("module {} {} {} without waiting in cycle {}, and what it finds there might not be what "
                     "it found in the recorded run, expected changes that keep that; use {} run for others",
                     process.name(), process.writes(deviation->port) ? "writes" : "reads",

@@ -3,8 +3,19 @@
 #include <mutex>
 
 #include "dataflow/base/on_threads.hpp"
+#include "dataflow/run/replay/outcomes.hpp"
 
 namespace dataflow::replay {
+
+namespace {
+std::optional<RunStatistics> retimed_if_known(ScriptedRun const& run, Machine const& machine) {
+    try {
+        return retime(run, machine);
+    } catch (OutcomeDiffers const&) {
+        return std::nullopt;
+    }
+}
+}  // namespace
 
 void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done) {
     if (!machines.empty())
@@ -14,7 +25,7 @@ void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, D
 void retime_many(ScriptedRun const& run, std::vector<Machine> const& machines, Done const& done) {
     std::mutex mutex;
     on_threads(machines.size(), jobs_or_host_cores(0), [&](std::size_t i) {
-        RunStatistics const retimed = retime(run, machines[i]);
+        std::optional<RunStatistics> const retimed = retimed_if_known(run, machines[i]);
         std::lock_guard<std::mutex> const lock(mutex);
         done(i, retimed);
     });

@@ -1,14 +1,15 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "dataflow/run/replay/retime.hpp"
 
 namespace dataflow::replay {
 
-/// Gets the number of a machine and its figures.
-using Done = std::function<void(std::size_t i, RunStatistics const& retimed)>;
+/// Gets the number of a machine and its figures; none if only a run can tell: see OutcomeDiffers.
+using Done = std::function<void(std::size_t i, std::optional<RunStatistics> const& retimed)>;
 
 /// retime() for each of the machines, on all host cores. `done` is told in any order, from any thread, but one at
 /// a time.

@@ -38,9 +38,10 @@ bool are_alike(Machine const& one, Machine const& other) {
                        [&](std::size_t i) { return are_alike(one.fifos[i], other.fifos[i]); });
 }
 
-void note(RunStatistics const& retimed, SensitivityStep& step) {
-    step.deadlocks = retimed.deadlocked();
-    step.total_cycles = retimed.deadlocked() ? 0 : retimed.total_cycles;
+void note(std::optional<RunStatistics> const& retimed, SensitivityStep& step) {
+    step.needs_run = !retimed;
+    step.deadlocks = retimed && retimed->deadlocked();
+    step.total_cycles = retimed && !step.deadlocks ? retimed->total_cycles : 0;
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig cons
         add_step(loaded, keys[i], rows[i].value + 1, rows[i].up, tasks);
     }
     std::size_t done = 0;
-    retime_many(run, tasks.machines, [&](std::size_t i, RunStatistics const& retimed) {
+    retime_many(run, tasks.machines, [&](std::size_t i, std::optional<RunStatistics> const& retimed) {
         note(retimed, *tasks.steps[i]);
         if (progress)
             progress(++done, tasks.machines.size());
@@ -79,7 +80,8 @@ std::vector<Alternative> alternatives(RecordedRun const& run, LoadedConfig const
             machines.push_back(std::move(changed_machine));
             rows.push_back({key.name(), std::get<std::string>(key.read(loaded.config)), other, {true}});
         }
-    retime_many(run, machines, [&](std::size_t i, RunStatistics const& retimed) { note(retimed, rows[i].step); });
+    retime_many(run, machines,
+                [&](std::size_t i, std::optional<RunStatistics> const& retimed) { note(retimed, rows[i].step); });
     return rows;
 }
 

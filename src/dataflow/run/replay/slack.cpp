@@ -18,7 +18,7 @@ class Search {
         costly_ = step.valid ? farthest_valid() + 1 : 1;
         end_ = costly_ > most_slack ? SlackEnd::limit : SlackEnd::invalid;
         if (step.valid)
-            learn(1, !step.deadlocks && step.total_cycles <= total_cycles);
+            learn(1, finishes(step) && step.total_cycles <= total_cycles, step.needs_run);
     }
 
     bool done() const { return costly_ - free_ <= 1; }
@@ -30,19 +30,20 @@ class Search {
             tried_ = is_doubling_ && 2 * free_ < costly_ ? 2 * free_ : (free_ + costly_) / 2;
         return machine_of(changed_by(tried_).config);
     }
-    void learn(RunStatistics const& retimed) {
-        learn(tried_, !retimed.deadlocked() && retimed.total_cycles <= total_cycles_);
+    void learn(std::optional<RunStatistics> const& retimed) {
+        learn(tried_, retimed && !retimed->deadlocked() && retimed->total_cycles <= total_cycles_, !retimed);
     }
-    void finish() { step_.slack = Slack{free_, end_}; }
+    void finish() { step_.slack = Slack{free_, end_ == SlackEnd::costs && is_unknown_ ? SlackEnd::unknown : end_}; }
 
   private:
-    void learn(std::int64_t change, bool is_free) {
+    void learn(std::int64_t change, bool is_free, bool is_unknown) {
         if (is_free) {
             free_ = change;
             return;
         }
         is_doubling_ = end_ != SlackEnd::costs;
         costly_ = change;
+        is_unknown_ = is_unknown;
         end_ = SlackEnd::costs;
     }
 
@@ -79,6 +80,7 @@ class Search {
     std::int64_t tried_ = 0;
     SlackEnd end_ = SlackEnd::costs;
     bool is_doubling_ = true;
+    bool is_unknown_ = false;  // what costly_ takes
 };
 
 }  // namespace
@@ -103,7 +105,7 @@ void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total
         if (open.empty())
             break;
         std::size_t const known = done + open.size();
-        retime_many(scripted, machines, [&](std::size_t i, RunStatistics const& retimed) {
+        retime_many(scripted, machines, [&](std::size_t i, std::optional<RunStatistics> const& retimed) {
             open[i]->learn(retimed);
             if (progress)
                 progress(++done, known);

@@ -15,6 +15,7 @@
 #include "dataflow/run/events/retimed_config.hpp"
 #include "dataflow/run/figures/table_rows.hpp"
 #include "dataflow/run/replay/critical_path_of.hpp"
+#include "dataflow/run/replay/outcomes.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/retime_together.hpp"
 #include "dataflow/run/replay/sensitivities.hpp"
@@ -219,11 +220,13 @@ std::size_t last_core(RunStatistics const& run) {
 
 }  // namespace
 
-Exploration::Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run, Require require)
+Exploration::Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run, Require require,
+                         RunAgain run_again)
     : title_(std::move(title)),
       recorded_(std::move(recorded)),
       run_(std::move(run)),
       require_(std::move(require)),
+      run_again_(std::move(run_again)),
       scripted_(run_, run_.lead(machine_of(recorded_.config))) {}
 
 RunConfig Exploration::changed(Overrides const& overrides) const {
@@ -257,7 +260,34 @@ std::shared_ptr<RunStatistics const> Exploration::retimed_run(Overrides const& o
     return run;
 }
 
+/// The one that answers for overrides that the recorded run cannot be retimed with, as a non-blocking access would find
+/// something else. Null: this one answers.
+std::shared_ptr<Exploration> Exploration::other_run(Overrides const& overrides) {
+    if (!run_again_ || !makes_attempts(machine_of(recorded_.config)))
+        return nullptr;
+    {
+        std::lock_guard<std::mutex> const lock(mutex_);
+        if (other_run_.exploration && other_run_.overrides == overrides)
+            return other_run_.exploration;
+    }
+    try {
+        retimed_run(overrides);
+        return nullptr;
+    } catch (replay::OutcomeDiffers const&) {
+        events::EventFile file = run_again_(exported_yaml(changed(overrides)));
+        auto const other = std::make_shared<Exploration>(title_, std::move(file.loaded), std::move(file.run), require_);
+        std::lock_guard<std::mutex> const lock(mutex_);
+        other_run_ = {overrides, other};
+        return other;
+    }
+}
+
 Json Exploration::retimed(Overrides const& overrides) {
+    if (auto const other = other_run(overrides)) {
+        Json figures = other->retimed({});
+        figures["run_again"] = true;
+        return figures;
+    }
     RunConfig const config = changed(overrides);
     Json figures = figures_json(*retimed_run(overrides));
     figures["schedules"] = loop_schedules(config);
@@ -281,7 +311,9 @@ RunStatistics Exploration::retimed_with_path(Machine const& machine) const {
     return run;
 }
 
-Json Exploration::critical_path(Overrides const& overrides) const {
+Json Exploration::critical_path(Overrides const& overrides) {
+    if (auto const other = other_run(overrides))
+        return other->critical_path({});
     RunStatistics const run = retimed_with_path(machine_of(changed(overrides)));
     return run.critical_path ? report::critical_path_json(run) : Json();
 }
@@ -307,6 +339,8 @@ std::shared_ptr<Exploration::KeptTimeline const> Exploration::kept_timeline(Over
 Json Exploration::timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to) {
     if (sample >= run_.tape.samples())
         throw InputError(fmt::format("sample = {}, expected one below {}", sample, run_.tape.samples()));
+    if (auto const other = other_run(overrides))
+        return other->timeline({}, sample, from, to);
     std::shared_ptr<KeptTimeline const> const kept = kept_timeline(overrides, sample);
     Cycles const end = to == 0 ? kept->timeline.end : to;
     Json json = report::timeline_data(kept->machine, cut(kept->timeline, from, end));
@@ -315,7 +349,9 @@ Json Exploration::timeline(Overrides const& overrides, std::size_t sample, Cycle
     return json;
 }
 
-Job::Work Exploration::sensitivities(Overrides const& overrides) const {
+Job::Work Exploration::sensitivities(Overrides const& overrides) {
+    if (auto const other = other_run(overrides))
+        return [other, work = other->sensitivities({})](Job::Progress const& progress) { return work(progress); };
     changed(overrides);  // or there is no room for it
     LoadedConfig const loaded = events::retimed_config(recorded_, overrides);
     return [this, loaded](Job::Progress const& progress) {
@@ -326,7 +362,10 @@ Job::Work Exploration::sensitivities(Overrides const& overrides) const {
     };
 }
 
-Job::Work Exploration::sizing(Overrides const& overrides, double within_percent) const {
+Job::Work Exploration::sizing(Overrides const& overrides, double within_percent) {
+    if (auto const other = other_run(overrides))
+        return
+            [other, work = other->sizing({}, within_percent)](Job::Progress const& progress) { return work(progress); };
     RunConfig const config = changed(overrides);
     return [this, config, within_percent](Job::Progress const& progress) {
         sizing::SizingOptions options;

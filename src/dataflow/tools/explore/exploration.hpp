@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -7,6 +8,7 @@
 #include "dataflow/base/json.hpp"
 #include "dataflow/core/machine/machine.hpp"
 #include "dataflow/run/config/load_config.hpp"
+#include "dataflow/run/events/event_file.hpp"
 #include "dataflow/run/figures/run_statistics.hpp"
 #include "dataflow/run/figures/sample_timeline.hpp"
 #include "dataflow/run/replay/recorded_run.hpp"
@@ -25,9 +27,13 @@ class Exploration {
     /// `title`: what the page is called.
     /// Throws InputError for a machine that the host has no room for.
     using Require = std::function<void(replay::RecordedRun const& run, Machine const& machine)>;
+    /// Simulates and records a configuration, a text in YAML. Throws InputError if that does not come to its end.
+    using RunAgain = std::function<events::EventFile(std::string const& yaml)>;
 
-    /// `require`: asked before anything is retimed; may be empty.
-    Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run, Require require = {});
+    /// `require`: asked before anything is retimed; may be empty. `run_again`: for overrides with which a non-blocking
+    /// access would find something else than was recorded; if it is empty, those are refused.
+    Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run, Require require = {},
+                RunAgain run_again = {});
 
     std::string const& title() const { return title_; }
     /// Everything about the run that no override changes: the graph, the keys that may be changed and what they mean.
@@ -36,15 +42,16 @@ class Exploration {
     /// them. `yaml` is a configuration that does the same.
     Json retimed(Overrides const& overrides);
     /// Along which operations its cycles come about. Null of a deadlock.
-    Json critical_path(Overrides const& overrides) const;
+    Json critical_path(Overrides const& overrides);
     /// What the modules did from one cycle to another of a sample; `to` 0: to its end. Throws InputError if there is no
     /// such sample.
     Json timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to);
     /// Work to be done in the background.
-    Job::Work sensitivities(Overrides const& overrides) const;
-    Job::Work sizing(Overrides const& overrides, double within_percent) const;
+    Job::Work sensitivities(Overrides const& overrides);
+    Job::Work sizing(Overrides const& overrides, double within_percent);
 
   private:
+    std::shared_ptr<Exploration> other_run(Overrides const& overrides);
     RunConfig changed(Overrides const& overrides) const;
     RunStatistics retimed_with_path(Machine const& machine) const;
     std::shared_ptr<RunStatistics const> retimed_run(Overrides const& overrides);
@@ -53,6 +60,7 @@ class Exploration {
     LoadedConfig recorded_;
     replay::RecordedRun run_;
     Require require_;
+    RunAgain run_again_;
     replay::ScriptedRun scripted_;  ///< of the run
 
     struct KeptRun {
@@ -66,7 +74,12 @@ class Exploration {
     };
     std::shared_ptr<KeptTimeline const> kept_timeline(Overrides const& overrides, std::size_t sample);
     std::mutex mutex_;
-    KeptRun kept_run_;  ///< the last one: who has seen its figures asks for a sample of it
+    struct OtherRun {
+        Overrides overrides;
+        std::shared_ptr<Exploration> exploration;
+    };
+    OtherRun other_run_;  ///< the last that was recorded
+    KeptRun kept_run_;    ///< the last one: who has seen its figures asks for a sample of it
     std::shared_ptr<KeptTimeline const> kept_;
 };
 

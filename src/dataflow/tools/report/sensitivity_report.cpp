@@ -18,10 +18,8 @@ std::int64_t change_of(SensitivityStep const& step, RunStatistics const& run) {
     return static_cast<std::int64_t>(step.total_cycles) - static_cast<std::int64_t>(run.total_cycles);
 }
 
-bool finishes(SensitivityStep const& step) { return step.valid && !step.deadlocks; }
-
 bool changes(SensitivityStep const& step, RunStatistics const& run) {
-    return step.valid && (step.deadlocks || change_of(step, run) != 0);
+    return step.valid && (!finishes(step) || change_of(step, run) != 0);
 }
 
 bool has_slack(RunStatistics const& run) {
@@ -29,7 +27,17 @@ bool has_slack(RunStatistics const& run) {
 }
 
 char const* name_of(SlackEnd end) {
-    return end == SlackEnd::costs ? "costs" : end == SlackEnd::invalid ? "invalid" : "limit";
+    switch (end) {
+        case SlackEnd::costs:
+            return "costs";
+        case SlackEnd::unknown:
+            return "unknown";
+        case SlackEnd::invalid:
+            return "invalid";
+        case SlackEnd::limit:
+            break;
+    }
+    return "limit";
 }
 
 std::string slack_cell(Sensitivity const& row, std::int64_t direction, Slack const& slack) {
@@ -74,7 +82,8 @@ std::int64_t effect_of(Sensitivity const& row, RunStatistics const& run) {
 }
 
 bool is_same_step(SensitivityStep const& a, SensitivityStep const& b) {
-    return a.valid == b.valid && a.deadlocks == b.deadlocks && a.total_cycles == b.total_cycles;
+    return a.valid == b.valid && a.deadlocks == b.deadlocks && a.needs_run == b.needs_run &&
+           a.total_cycles == b.total_cycles;
 }
 
 /// The target of a loop and the interval of its dependence are two keys of one interval: where either step does the
@@ -99,6 +108,8 @@ std::string cell(SensitivityStep const& step, RunStatistics const& run) {
         return "not valid";
     if (step.deadlocks)
         return "deadlock";
+    if (step.needs_run)
+        return "needs a run";
     std::int64_t const change = change_of(step, run);
     return fmt::format("{} ({:+.2f} %)", grouped_change(change),
                        100.0 * static_cast<double>(change) / static_cast<double>(run.total_cycles));
@@ -112,7 +123,7 @@ std::string alternatives_text(RunStatistics const& run) {
 }
 
 char const* outcome(SensitivityStep const& step) {
-    return !step.valid ? "invalid" : step.deadlocks ? "deadlock" : "finished";
+    return !step.valid ? "invalid" : step.deadlocks ? "deadlock" : step.needs_run ? "unknown" : "finished";
 }
 
 template <class Value>

@@ -10,6 +10,11 @@
 
 namespace dataflow::report {
 
+namespace {
+constexpr char const* finished = "finished";
+constexpr char const* unknown = "unknown";
+}  // namespace
+
 WhatifTable::WhatifTable(Machine const& recorded, std::vector<SampleStatistics> const& samples) {
     recorded_.settings = "as recorded";
     recorded_.clock_mhz = recorded.clock_mhz;
@@ -18,12 +23,12 @@ WhatifTable::WhatifTable(Machine const& recorded, std::vector<SampleStatistics> 
 }
 
 void WhatifTable::add_row(std::string settings, Machine const& machine) {
-    rows_.push_back({std::move(settings), machine.clock_mhz, false, 0});
+    rows_.push_back({std::move(settings), machine.clock_mhz, "", 0});
 }
 
-void WhatifTable::set_result(std::size_t row, RunStatistics const& run) {
-    rows_[row].deadlocks = run.deadlocked();
-    rows_[row].total_cycles = run.total_cycles;
+void WhatifTable::set_result(std::size_t row, std::optional<RunStatistics> const& run) {
+    rows_[row].outcome = !run ? unknown : run->deadlocked() ? "deadlock" : finished;
+    rows_[row].total_cycles = run ? run->total_cycles : 0;
 }
 
 std::int64_t WhatifTable::change_of(Row const& row) const {
@@ -37,9 +42,9 @@ std::string WhatifTable::text() const {
                    grouped(recorded_.total_cycles), recorded_.milliseconds(), "-", recorded_.settings);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row const& row = rows_[i];
-        if (row.deadlocks) {
-            fmt::format_to(std::back_inserter(text), "  {:>5} {:>14} {:>12} {:>22}  {}\n", i, "deadlock", "-", "-",
-                           row.settings);
+        if (row.outcome != finished) {
+            fmt::format_to(std::back_inserter(text), "  {:>5} {:>14} {:>12} {:>22}  {}\n", i,
+                           row.outcome == unknown ? "needs a run" : row.outcome, "-", "-", row.settings);
             continue;
         }
         std::string change = fmt::format("{}", grouped_change(change_of(row)));
@@ -56,8 +61,8 @@ std::string WhatifTable::csv() const {
     std::string text = "row,configuration,outcome,total_cycles,milliseconds,change_cycles\n";
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         Row const& row = rows_[i];
-        if (row.deadlocks)
-            fmt::format_to(std::back_inserter(text), "{},{},deadlock,,,\n", i, csv_cell(row.settings));
+        if (row.outcome != finished)
+            fmt::format_to(std::back_inserter(text), "{},{},{},,,\n", i, csv_cell(row.settings), row.outcome);
         else
             fmt::format_to(std::back_inserter(text), "{},{},finished,{},{},{}\n", i, csv_cell(row.settings),
                            row.total_cycles, row.milliseconds(), change_of(row));

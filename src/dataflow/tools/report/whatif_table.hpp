@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ class WhatifTable {
 
     /// `settings` says what the configuration changes.
     void add_row(std::string settings, Machine const& machine);
-    void set_result(std::size_t row, RunStatistics const& run);
+    /// None: a non-blocking access might find something else than in the recorded run, and only a run can tell.
+    void set_result(std::size_t row, std::optional<RunStatistics> const& run);
 
     /// For people; and as docs/formats.md has it ("The table of whatif --matrix").
     std::string text() const;
@@ -25,7 +27,7 @@ class WhatifTable {
     struct Row {
         std::string settings;
         double clock_mhz = 0;
-        bool deadlocks = false;
+        std::string outcome;
         Cycles total_cycles = 0;
 
         double milliseconds() const { return static_cast<double>(total_cycles) / (clock_mhz * 1e3); }

@@ -35,9 +35,10 @@ class Explorer {
     button("copy --set", "for run, whatif and size-fifos", () => this.copy(this.set_options()));
     button("copy YAML", "a configuration file that takes as long", () => this.copy(this.figures.yaml));
     button("copy link", "this address has all changes", () => this.copy(location.href));
+    this.run_note = element("span", { class: "note", id: "run-note" });
     this.sensitivity_note = element("span", { class: "note", "aria-live": "polite" });
     this.copied = element("textarea", { id: "copied", "aria-label": "Copied text", readonly: "", rows: 3, hidden: "" });
-    by_id("actions").append(this.sensitivity_note, this.copied);
+    by_id("actions").append(this.run_note, this.sensitivity_note, this.copied);
   }
 
   /// With the figures of the recorded run, which are pinned until something else is.
@@ -103,6 +104,7 @@ class Explorer {
 
   retimed(figures, { changes, is_settled, asked_at }, is_stale) {
     this.complain("");
+    this.run_note.textContent = figures.run_again ? "run again, as an access that does not wait finds something else" : "";
     this.figures = figures;
     this.overrides = overrides_of(changes);
     if (is_settled) this.settle(changes);

@@ -141,7 +141,7 @@ function show_critical_path() {
 function step_column(title, side) {
   const step = (row) => row[side];
   const change = (row) => step(row).outcome === "finished" ? step(row).change_cycles : Number.MAX_VALUE;
-  const text = (row) => step(row).outcome === "invalid" ? "not valid" : step(row).outcome === "deadlock" ? "deadlock"
+  const text = (row) => step(row).outcome === "invalid" ? "not valid" : step(row).outcome !== "finished" ? step(row).outcome
     : (step(row).change_cycles > 0 ? "+" : "") + whole(step(row).change_cycles);
   return figure(title, change, text);
 }

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "dataflow/base/input_error.hpp"
+#include "hls/live_function.hpp"
 
 namespace dataflow {
 
@@ -44,7 +45,8 @@ class HlsFifo final : public ClockedFifo<std::int64_t> {
 /// What one function has shown of itself.
 class DiscoveredProcess {
   public:
-    DiscoveredProcess(untimed::LoopRecorder const& recorder, untimed::Events const& events) : loops_(recorder.loops()) {
+    DiscoveredProcess(untimed::LoopRecorder const& recorder, untimed::Events const& events)
+        : recorder_(recorder), loops_(recorder.loops()) {
         used_in_.resize(loops_.size());
         is_run_.resize(loops_.size());
         begins_with_states_ =
@@ -63,6 +65,7 @@ class DiscoveredProcess {
     }
 
     std::vector<LoopMark> const& loops() const { return loops_; }
+    bool attempts(Access const& access) const { return recorder_.attempts(access); }
     /// A loop that is not pipelined has a state of its own before its first iteration.
     bool has_start() const { return !begins_with_states_; }
     /// Not one that is only around others.
@@ -86,6 +89,7 @@ class DiscoveredProcess {
             accesses.push_back(access);
     }
 
+    untimed::LoopRecorder const& recorder_;
     std::vector<LoopMark> const& loops_;
     bool begins_with_states_ = false;
     std::vector<bool> is_run_;
@@ -136,6 +140,7 @@ class Describer {
         bool const is_in_loop = giver < process.loops().size();
         if (!access.writes) {
             FifoEnd& end = module.reads_from(fifo(access));
+            end.makes_attempts = process.attempts(access);
             if (is_in_loop)
                 end.taken(process.loops()[giver].name, 0);
             return;
@@ -145,8 +150,18 @@ class Describer {
         end.carries("tokens from " + module.name + " to " + reader_of(access.stream));
         if (stream.depth() > 0)
             end.of_depth(stream.depth());
+        end.makes_attempts = process.attempts(access);
         if (is_in_loop)
-            end.leaves(process.loops()[giver].name, process.loops()[giver].depth - 1);
+            end.leaves(process.loops()[giver].name, write_stage(process, giver, access));
+    }
+
+    /// The last one; of a write that does not wait, one that is over when the next iteration begins to access anything.
+    static unsigned write_stage(DiscoveredProcess const& process, std::size_t loop, Access const& access) {
+        LoopMark const& mark = process.loops()[loop];
+        bool const only_writes = std::none_of(process.ends().begin(), process.ends().end(), [&](Access const& end) {
+            return !end.writes && process.uses(loop, end);
+        });
+        return std::min(mark.depth, process.attempts(access) && !only_writes ? mark.ii : mark.depth) - 1;
     }
 
     std::string reader_of(std::size_t stream) const {
@@ -175,6 +190,31 @@ class Describer {
     HlsDesign& design_;
     untimed::UntimedNetwork network_;
     std::vector<DiscoveredProcess> processes_;
+};
+
+/// Of a design whose functions find something or nothing, as it comes: each runs beside its clock.
+class LiveModule : public SimpleModule {
+  public:
+    LiveModule(sc_core::sc_module_name const& name, HlsCore& core, std::size_t number)
+        : SimpleModule(name, core), core_(core), number_(number), function_(core, clock_, number) {
+        set_stack_size(as_of_a_thread);
+    }
+
+  private:
+    static constexpr std::size_t as_of_a_thread = std::size_t{8} << 20U;  ///< room for a function's arrays
+
+    void work(std::size_t sample) override {
+        if (!core_.machine().processes[number_].setup_activity.empty())
+            clock_.set_up();
+        core_.live_design().set_call(sample);
+        function_.run();
+        if (number_ + 1 == core_.design().processes().size())
+            add_result(core_.design().results());
+    }
+
+    HlsCore& core_;
+    std::size_t number_;
+    LiveFunction function_;
 };
 
 /// Tells its clock what its function has done.
@@ -267,8 +307,11 @@ HlsCore::HlsCore(SimpleCoreParts const& parts, MakeHlsDesign const& make)
     : SimpleCore(parts), design_(make(parts.numbers)), network_(design_->processes()), next_call_(parts.share.first) {
     for (untimed::StreamBase const* const stream : design_->streams())
         fifos_.push_back(std::make_unique<HlsFifo>(*stream, fifo_timing(stream->name())));
-    for (std::size_t i = 0; i < design_->processes().size(); ++i)
-        make_module<HlsModule>(design_->processes()[i].name.c_str(), *this, i);
+    bool const is_live = makes_attempts(machine());
+    for (std::size_t i = 0; i < design_->processes().size(); ++i) {
+        char const* const name = design_->processes()[i].name.c_str();
+        is_live ? void(make_module<LiveModule>(name, *this, i)) : void(make_module<HlsModule>(name, *this, i));
+    }
     scripts_.resize(design_->processes().size());
 }
 

@@ -85,6 +85,7 @@ class HlsCore : public SimpleCore {
     ~HlsCore() override;
 
     HlsDesign const& design() const { return *design_; }
+    HlsDesign& live_design() const { return *design_; }
     untimed::LoopRecorder const& recorder(std::size_t process) const { return network_.recorder(process); }
     ClockedFifo<std::int64_t>& stream_fifo(std::size_t stream) const { return *fifos_[stream]; }
     /// What a process does in its next call. All functions run for the first that asks.

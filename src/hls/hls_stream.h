@@ -13,7 +13,8 @@
 
 namespace hls {
 
-template <class Token, int depth_of_fifo = 0> class stream;  // NOLINT(readability-identifier-naming): as the tool has it
+template <class Token, int depth_of_fifo = 0>
+class stream;  // NOLINT(readability-identifier-naming): as the tool has it
 
 template <class Token> class stream<Token, 0> : public dataflow::untimed::StreamBase {
     using Traits = dataflow::untimed::TokenTraits<Token>;
@@ -31,9 +32,7 @@ template <class Token> class stream<Token, 0> : public dataflow::untimed::Stream
             std::cerr << "WARNING: hls::stream '" << name() << "' is read while empty\n";
             return Token();
         }
-        Token token = std::move(tokens_.front());
-        tokens_.pop_front();
-        return token;
+        return take();
     }
     void read(Token& token) { token = read(); }
     void write(Token const& token) {
@@ -51,27 +50,22 @@ template <class Token> class stream<Token, 0> : public dataflow::untimed::Stream
     }
 
     bool read_nb(Token& token) {
-        ask("read_nb");
-        if (tokens_.empty())
-            return false;
-        read(token);
-        return true;
+        bool const is_there = finds({false, false}, !tokens_.empty());
+        if (is_there)
+            token = take();
+        return is_there;
     }
     bool write_nb(Token const& token) {
-        ask("write_nb");
-        write(token);
-        return true;
+        bool const is_room = finds({true, false, Traits::shown(token)}, true);
+        if (is_room)
+            tokens_.push_back(token);
+        return is_room;
     }
-    bool empty() const {
-        ask("empty");
-        return tokens_.empty();
-    }
-    bool full() const {
-        ask("full");
-        return false;
-    }
+    bool empty() const { return !finds({false, true}, !tokens_.empty()); }
+    bool full() const { return !finds({true, true}, true); }
     std::size_t size() const {
-        ask("size");
+        if (auto* const watching = watcher())
+            watching->asks_size(*this);
         return tokens_.size();
     }
     /// What its type says, 2 where it says nothing; the untimed queue has no end.
@@ -83,9 +77,14 @@ template <class Token> class stream<Token, 0> : public dataflow::untimed::Stream
     std::int64_t shown_last() const override { return Traits::shown(tokens_.back()); }
 
   private:
-    void ask(char const* call) const {
-        if (auto* const watching = watcher())
-            watching->asks(*this, call);
+    Token take() {
+        Token token = std::move(tokens_.front());
+        tokens_.pop_front();
+        return token;
+    }
+    bool finds(dataflow::untimed::Attempt const& attempt, bool untimed) const {
+        auto* const watching = watcher();
+        return watching != nullptr ? watching->attempts(*this, attempt) : untimed;
     }
 
     std::deque<Token> tokens_;

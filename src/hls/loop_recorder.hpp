@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,9 @@ class LoopRecorder {
     explicit LoopRecorder(std::string process) : process_(std::move(process)) {}
 
     void access(Access access);
+    /// Some of the accesses of that kind do not wait.
+    void attempt(Access const& access) { attempts_.insert(access); }
+    bool attempts(Access const& access) const { return attempts_.count(access) != 0; }
     void begin(LoopMark const& loop);
     void end();
     /// All that has happened since the last call. The function has returned, or is stuck.
@@ -66,6 +70,7 @@ class LoopRecorder {
     std::vector<LoopMark> loops_;
     std::vector<Accesses> groups_;
     std::map<Accesses, std::size_t> group_numbers_;
+    std::set<Access> attempts_;
     std::vector<Open> open_;
     bool is_in_loop_ = false;
     std::size_t loop_ = 0;  // that it is in

@@ -17,6 +17,13 @@ struct LoopMark {
 
 class StreamBase;
 
+/// An access that does not wait.
+struct Attempt {
+    bool writes = false;
+    bool only_asks = false;  ///< empty() and full(): no access takes place
+    std::int64_t shown = 0;  ///< the token to be written, as waveforms show it
+};
+
 /// Who looks on while a function runs: what it does to streams, and in which iterations of which loops. Of a thread
 /// each; without one a function is plain C++.
 class Observer {
@@ -25,10 +32,13 @@ class Observer {
     /// Returns when the stream has a token.
     virtual void reads(StreamBase& stream) = 0;
     virtual void wrote(StreamBase& stream) = 0;
-    /// Asks what the stream holds at the moment: `call`.
-    virtual void asks(StreamBase const& stream, char const* call) = 0;
+    /// Whether it finds a token, or room.
+    virtual bool attempts(StreamBase const& stream, Attempt const& attempt) = 0;
+    /// size(), which no hardware counts. Throws.
+    virtual void asks_size(StreamBase const& stream) = 0;
     virtual void begins_iteration(LoopMark const& loop) = 0;
-    virtual void ends_iteration(LoopMark const& loop) = 0;
+    /// Does not throw: it may be called because something has been thrown.
+    virtual void ends_iteration(LoopMark const& loop) noexcept = 0;
 };
 
 inline thread_local Observer* observer = nullptr;

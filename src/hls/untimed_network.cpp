@@ -13,7 +13,14 @@ namespace dataflow::untimed {
 namespace {
 /// Leaves a function that nobody can help any more.
 struct GivenUp {};
+/// Rounds in which functions have looked for tokens, and nobody has done anything else, before they are given up.
+constexpr std::size_t most_idle_rounds = 100'000;
 }  // namespace
+
+void refuse_size(StreamBase const& stream) {
+    throw InputError("stream " + stream.name() + " is asked for its size(), which hardware does not count, expected " +
+                     "empty() or full()");
+}
 
 /// Whose turn it is: that of a function, each of which has a thread, or that of the network.
 class UntimedNetwork::Baton {
@@ -52,6 +59,8 @@ class UntimedNetwork::Watcher final : public Observer {
 
     bool can_go_on() const { return !is_done_ && (awaited_ == nullptr || awaited_->has_token()); }
     bool is_done() const { return is_done_; }
+    /// It has done something since the last call, and not only looked for tokens.
+    bool has_moved() { return std::exchange(has_moved_, false); }
     void give_up() { is_given_up_ = true; }
     std::exception_ptr const& error() const { return error_; }
 
@@ -65,24 +74,36 @@ class UntimedNetwork::Watcher final : public Observer {
         awaited_ = nullptr;
         if (is_given_up_)
             throw GivenUp();
+        has_moved_ = true;
     }
     void wrote(StreamBase& stream) override {
+        has_moved_ = true;
         recorder().access({stream.number(), true});
         std::vector<std::vector<std::int64_t>>& written = network_.written_;
         if (written.size() <= stream.number())
             written.resize(stream.number() + 1);
         written[stream.number()].push_back(stream.shown_last());
     }
-    void asks(StreamBase const& stream, char const* call) override {
-        throw InputError("process " + name() + " asks by " + call + "() what " + stream.name() +
-                         " holds at the moment, which a function without time cannot know, expected read() and " +
-                         "write(), which wait");
+    bool attempts(StreamBase const& stream, Attempt const& attempt) override {
+        Access const access{stream.number(), attempt.writes};
+        recorder().attempt(access);
+        if (!attempt.only_asks)
+            recorder().access(access);
+        bool const finds = (attempt.writes || stream.has_token()) && ++attempts_ % 3 != 0;
+        has_moved_ = has_moved_ || (finds && !attempt.only_asks);
+        if (!finds) {
+            baton_.give_back();
+            baton_.await(process_);
+            if (is_given_up_)
+                throw GivenUp();
+        }
+        return finds;
     }
+    void asks_size(StreamBase const& stream) override { refuse_size(stream); }
     void begins_iteration(LoopMark const& loop) override { recorder().begin(loop); }
-    void ends_iteration(LoopMark const& /*loop*/) override { recorder().end(); }
+    void ends_iteration(LoopMark const& /*loop*/) noexcept override { recorder().end(); }
 
   private:
-    std::string const& name() const { return network_.processes_[process_].name; }
     LoopRecorder& recorder() const { return *network_.recorders_[process_]; }
     void run() {
         baton_.await(process_);
@@ -95,7 +116,7 @@ class UntimedNetwork::Watcher final : public Observer {
             error_ = std::current_exception();
         }
         observer = nullptr;
-        is_done_ = true;
+        is_done_ = has_moved_ = true;
         baton_.give_back();
     }
 
@@ -103,6 +124,8 @@ class UntimedNetwork::Watcher final : public Observer {
     Baton& baton_;
     std::size_t process_;
     StreamBase const* awaited_ = nullptr;
+    std::size_t attempts_ = 0;
+    bool has_moved_ = false;
     bool is_done_ = false;
     bool is_given_up_ = false;
     std::exception_ptr error_;
@@ -128,13 +151,16 @@ void UntimedNetwork::run() {
             if (!error)
                 error = watcher.error();
         };
-        for (bool has_moved = true; has_moved && !error;) {
+        std::size_t idle_rounds = 0;
+        for (bool has_moved = true; has_moved && idle_rounds < most_idle_rounds && !error;) {
             has_moved = false;
+            ++idle_rounds;
             for (std::size_t i = 0; i < watchers.size() && !error; ++i)
                 if (watchers[i]->can_go_on()) {
                     has_moved = true;
                     baton.give(i);
                     first_error(*watchers[i]);
+                    idle_rounds = watchers[i]->has_moved() ? 0 : idle_rounds;
                 }
         }
         for (std::size_t i = 0; i < watchers.size(); ++i)

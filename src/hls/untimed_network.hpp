@@ -11,6 +11,9 @@
 
 namespace dataflow::untimed {
 
+/// Throws InputError.
+[[noreturn]] void refuse_size(StreamBase const& stream);
+
 /// A function of a design, with its arguments.
 struct ProcessCall {
     std::string name;
@@ -20,8 +23,9 @@ struct ProcessCall {
 /// Runs the functions of a design without time, as C simulation does, and takes down what they do. One runs at a time,
 /// in their order, each until it returns or finds a stream empty; streams have no end. What a function does does not
 /// depend on that order, as each stream has one writer and one reader and reads wait. So this is what hardware does,
-/// whenever it does it.
-///   errors  InputError for what has no such answer (read_nb, empty, ...), and what the functions throw
+/// whenever it does it. An access that does not wait has no such answer: of those every third finds nothing, so that
+/// both ways through a function are seen, and what comes of it is no more than an example.
+///   errors  InputError for size(), and what the functions throw
 class UntimedNetwork {
   public:
     explicit UntimedNetwork(std::vector<ProcessCall> const& processes);

@@ -61,6 +61,8 @@ TEST_CASE("Functions over streams take the cycles that are published for their d
         CHECK(cycles(HLS_FIFO_PAIR_BINARY, published / "fifo_multiply.yaml",
                      {set, "workload.samples=16", "accelerator.fifos.word.depth=2"}) == "1344");
         CHECK(cycles(HLS_DOT_PRODUCT_BINARY, published / "dot_product.yaml", {set}) == "10100");
+        CHECK(outcome(HLS_DROPPING_BINARY, {"run", (published / "dropping.yaml").string(), "--set", set}) ==
+              outcome(DROPPING_BINARY, {"run", (examples / "published" / "dropping.yaml").string(), "--set", set}));
     }
 }
 
@@ -94,6 +96,46 @@ TEST_CASE("The same design by functions and by hand takes the same cycles, whate
             CHECK(outcome(HLS_CYCLIC_BINARY, of(published / "cyclic.yaml", cyclic)) == circle);
         }
     }
+}
+
+TEST_CASE("Functions that do not wait find what modules by hand do, whatever the keys", "[examples]") {
+    unsigned const seed = 541;
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    auto const one_of = [&random](Words const& values) { return values[random() % values.size()]; };
+    std::string const configuration = (examples / "arbiter" / "arbiter.yaml").string();
+    for (int trial = 0; trial < 16; ++trial) {
+        Words const settings{"workload.messages=" + one_of({"1", "2", "37"}),
+                             "workload.samples=" + one_of({"1", "3"}),
+                             "accelerator.arbiter.round_robin=" + one_of({"0", "1"}),
+                             "accelerator.loops.first.produce.ii=" + one_of({"1", "2", "3"}),
+                             "accelerator.loops.second.produce.ii=" + one_of({"1", "2", "5"}),
+                             "accelerator.loops.arbiter.grant.ii=" + one_of({"1", "2"}),
+                             "accelerator.loops.arbiter.grant.depth=" + one_of({"2", "4"}),
+                             "accelerator.loops.consumer.consume.ii=" + one_of({"1", "3"}),
+                             "accelerator.fifos.second_message.depth=" + one_of({"1", "2", "40"}),
+                             "simulation.engine=" + one_of({"decoupled", "lockstep"})};
+        CAPTURE(settings);
+        CHECK(outcome(HLS_ARBITER_BINARY, with_settings({"run", configuration}, settings)) ==
+              outcome(ARBITER_BINARY, with_settings({"run", configuration}, settings)));
+    }
+}
+
+/// Number i is written in cycle 4 i + 2. The first is seen in 3, by a state of its own, and read in 4; each other is
+/// read in the cycle in which it is seen, 4 i + 3. The last condition is asked in the cycle behind that, by an
+/// iteration of two stages.
+TEST_CASE("The condition of a loop belongs to its iterations", "[examples]") {
+    TempFolder const folder;
+    std::ofstream(folder / "empty.yaml") << "{}\n";
+    for (int const numbers : {2, 10, 33})
+        for (std::string const engine : {"decoupled", "lockstep"})
+            CHECK(cycles(HLS_POLLER_BINARY, folder / "empty.yaml",
+                         {"workload.numbers=" + std::to_string(numbers), "simulation.engine=" + engine}) ==
+                  std::to_string(4 * numbers + 2));
+    CommandResult const refused =
+        run_command(HLS_POLLER_BINARY, {"run", "empty.yaml", "--set", "workload.asks_size=1"}, folder.path());
+    CHECK(refused.exit_code == 2);
+    CHECK_THAT(refused.err, Contains("stream number is asked for its size(), which hardware does not count"));
 }
 
 TEST_CASE("What-if, sizes and waveforms know a design of functions", "[examples]") {

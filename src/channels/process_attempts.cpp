@@ -124,7 +124,6 @@ bool ProcessClock::attempts(FifoChannel const& fifo, timing::Ports port, bool on
                          " behind the first that accesses any, or try_read_later() and try_write_later()");
     if (!only_asks)
         require_once(port);
-    take_before(step);
     last_attempt_ = last_attempt_ ? std::max(*last_attempt_, step) : step;
     if (step < *last_attempt_)
         tell_behind_attempt(port);

@@ -80,6 +80,40 @@ TEST_CASE("room is found in the cycle after the read that made it") {
                       "found in the recorded run, expected changes that keep that; use faster-sim run for others"));
 }
 
+TEST_CASE("an attempt that would find what comes in its very cycle is not retimed") {
+    // Of a memory FIFO the token can be read in cycle 3, of a shift register in 2, where nothing was found.
+    MachineSettings memory, shift_register;
+    memory.fifo("f").kind = FifoKind::memory;
+    shift_register.fifo("f").kind = FifoKind::shift_register;
+    Pair const looks_on = looking_pair(1);
+    Pair looks_three_times = looks_on;
+    looks_three_times.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        for (int i = 0; i < 3; ++i) {
+            Token token = 0;
+            fifo.read_nb(token);
+            clock.advance(1);
+        }
+    };
+    for (Pair const& pair : {looks_on, looks_three_times})
+        CHECK_THAT(outcome_of(pair, Engine::decoupled, memory, &shift_register),
+                   Contains("module reader reads f without waiting in cycle 2, and what it finds there might not be"));
+}
+
+TEST_CASE("a loop that is retimed with another interval has other windows to drain") {
+    Pair pair = sound_pair();
+    pair.reader.ends.front().taken("receive", 2).non_blocking();
+    pair.reader.loops.front().of_depth(4);
+    pair.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("receive", 10, [&](std::uint64_t) { clock.take_later(fifo, [](Token) {}); });
+    };
+    MachineSettings fast, slow;
+    slow.loop("reader.receive").ii = 5;
+    for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
+        CHECK(outcome_of(pair, engine, fast, &slow) == outcome_of(pair, engine, slow));
+        CHECK(outcome_of(pair, engine, slow, &fast) == outcome_of(pair, engine, fast));
+    }
+}
+
 /// Design 03_fig3_ex4a of the public omnisim-benchmarks: a producer offers a number each cycle and drops it where there
 /// is no room; at the end it sends a zero, and waits. A consumer takes one every third cycle.
 Pair dropping_pair() {

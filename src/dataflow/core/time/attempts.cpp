@@ -46,7 +46,7 @@ bool ProcessTiming::add_ports(Ports::Number ports) {
             return;
         late = late | Ports::of(port);
         if (step < pipeline.offset)
-            deviates(port);
+            deviates(port, state_.time);
     });
     if (!late.is_empty() && !perform(late.number()))
         return false;
@@ -97,7 +97,7 @@ bool ProcessTiming::attempt(Operation const& operation) {
         return false;
     }
     if (is_known && (port.end.earliest() <= state_.time) != operation.succeeded())
-        deviates(number);
+        deviates(number, state_.time);
     if (!operation.succeeded()) {
         figures_.failed_before.resize(ports_.size());
         figures_.failed_before[number] = state_.time + 1;
@@ -114,7 +114,7 @@ bool ProcessTiming::attempt(Operation const& operation) {
 bool ProcessTiming::reach_attempt(unsigned port, std::uint64_t behind) {
     std::optional<Cycles> const step = plan_->step_of(port);
     if (!step || *step / plan_->ii != behind || (state_.pipeline.open && *step % plan_->ii < state_.pipeline.offset)) {
-        deviates(port);
+        deviates(port, state_.time);
         return true;
     }
     return reach_step(*step % plan_->ii);
@@ -126,14 +126,14 @@ void ProcessTiming::check_failures(Ports::Number ports) {
         if (port >= figures_.failed_before.size())
             return;
         if (ports_[port].end.earliest() < figures_.failed_before[port])
-            deviates(port);
+            deviates(port, figures_.failed_before[port] - 1);
         figures_.failed_before[port] = 0;
     });
 }
 
-void ProcessTiming::deviates(unsigned port) {
+void ProcessTiming::deviates(unsigned port, Cycles cycle) {
     if (!deviation_)
-        deviation_ = Deviation{port, state_.time};
+        deviation_ = Deviation{port, cycle};
 }
 
 bool ProcessTiming::found_at(unsigned port) const {

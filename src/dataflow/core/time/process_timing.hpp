@@ -302,7 +302,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     bool attempt(Operation const& operation);
     bool reach_attempt(unsigned port, std::uint64_t behind);
     void check_failures(Ports::Number ports);
-    void deviates(unsigned port);
+    void deviates(unsigned port, Cycles cycle);
     void add_stall(ProcessPort const& port, Cycles stall);
 
     std::string name_;

@@ -99,21 +99,6 @@ TEST_CASE("an attempt that would find what comes in its very cycle is not retime
                    Contains("module reader reads f without waiting in cycle 2, and what it finds there might not be"));
 }
 
-TEST_CASE("a loop that is retimed with another interval has other windows to drain") {
-    Pair pair = sound_pair();
-    pair.reader.ends.front().taken("receive", 2).non_blocking();
-    pair.reader.loops.front().of_depth(4);
-    pair.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
-        clock.pipeline("receive", 10, [&](std::uint64_t) { clock.take_later(fifo, [](Token) {}); });
-    };
-    MachineSettings fast, slow;
-    slow.loop("reader.receive").ii = 5;
-    for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
-        CHECK(outcome_of(pair, engine, fast, &slow) == outcome_of(pair, engine, slow));
-        CHECK(outcome_of(pair, engine, slow, &fast) == outcome_of(pair, engine, fast));
-    }
-}
-
 /// Design 03_fig3_ex4a of the public omnisim-benchmarks: a producer offers a number each cycle and drops it where there
 /// is no room; at the end it sends a zero, and waits. A consumer takes one every third cycle.
 Pair dropping_pair() {

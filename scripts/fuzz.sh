@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Fuzzes every reader and the engine for MINUTES in all, an equal share each, and prints a line per target: inputs tried,
 # inputs that reach new code. Inputs that do harm (a crash, a sanitizer's report, more than 10 s or 2 GiB) are left in
-# build/fuzz/found; the exit code is 1 if there are any.
+# build/fuzz/found; the exit code is 1 if there are any. The target `designs` needs no fuzzer: it compares random designs
+# (tests/chance) of seeds that were never tried, and its log names those that do not agree.
 #   scripts/fuzz.sh MINUTES [-j JOBS] [TARGET...]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -18,12 +19,19 @@ if [[ "${1:-}" == -j ]]; then
     shift 2
 fi
 
-cmake --preset fuzz > /dev/null
-cmake --build --preset fuzz -- -j "$jobs"
 program=$PWD/build/fuzz/bin/faster_fuzz
 targets=("$@")
+if [[ "${targets[*]}" != designs ]]; then
+    cmake --preset fuzz > /dev/null
+    cmake --build --preset fuzz -- -j "$jobs"
+fi
 if [[ ${#targets[@]} -eq 0 ]]; then
     mapfile -t targets < <("$program" --list)
+    targets+=(designs)
+fi
+if [[ " ${targets[*]} " == *" designs "* ]]; then
+    cmake --preset release > /dev/null
+    cmake --build --preset release --target faster_random_design_tests -- -j "$jobs"
 fi
 rounds=$(((${#targets[@]} + jobs - 1) / jobs))
 seconds=$((minutes * 60 / rounds))
@@ -49,7 +57,19 @@ fuzz_one() { # TARGET: new inputs are kept in build/fuzz/corpus, beside the ones
     echo "$1: ${tried:-0} inputs, ${new:-0} new, $([[ $status -eq 0 ]] && echo fine || echo "HARM, see $log")"
     return "$status"
 }
-export -f fuzz_one
+try_designs() { # a hundred at a time, from seeds of this second on
+    local log=build/fuzz/logs/designs.log status=0 tried=0 end=$((SECONDS + seconds)) first
+    first=$(date +%s)000
+    : > "$log"
+    while [[ $status -eq 0 && $SECONDS -lt $end ]]; do
+        CHANCE_SEED=$((first + tried)) CHANCE_DESIGNS=100 build/release/bin/faster_random_design_tests \
+            'random designs do the same*' >> "$log" 2>&1 || status=$?
+        tried=$((tried + 100))
+    done
+    echo "designs: $tried designs from seed $first on, $([[ $status -eq 0 ]] && echo fine || echo "HARM, see $log")"
+    return "$status"
+}
+export -f fuzz_one try_designs
 in_memory=$(test -d /dev/shm && echo /dev/shm || echo "${TMPDIR:-/tmp}")
 export program seconds in_memory
-printf '%s\n' "${targets[@]}" | xargs -P "$jobs" -I{} bash -c 'fuzz_one {}' || exit 1
+printf '%s\n' "${targets[@]}" | xargs -P "$jobs" -I{} bash -c 'if [[ {} == designs ]]; then try_designs; else fuzz_one {}; fi' || exit 1

@@ -1,6 +1,8 @@
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <set>
 
 #include "dataflow/base/files/text_file.hpp"
@@ -186,6 +188,52 @@ TEST_CASE("Made scenes are a dataset of BOP, and are made once", "[experiments][
     CHECK(told == 2);
 }
 
+std::string obj_text(Mesh const& mesh) {
+    std::string text;
+    for (Eigen::Vector3d const& vertex : mesh.vertices)
+        text += fmt::format("v {} {} {}\n", vertex.x(), vertex.y(), vertex.z());
+    for (auto const& face : mesh.faces)
+        text += fmt::format("f {} {} {}\n", face[0] + 1, face[1] + 1, face[2] + 1);
+    return text;
+}
+
+TEST_CASE("Scenes can be made from meshes of a folder", "[experiments][bop]") {
+    TempFolder const folder;
+    std::filesystem::create_directory(folder / "scans");
+    Mesh banana = all_meshes().at(10), mug = all_meshes().at(14);
+    for (Eigen::Vector3d& vertex : banana.vertices)
+        vertex += Eigen::Vector3d(0.1, 0.2, -0.3);
+    folder.write("scans/011_banana.obj", obj_text(banana));
+    folder.write("scans/mug.obj", obj_text(mug));
+    folder.write("scans/notes.txt", "");
+    Setting setting;
+    setting.models = folder / "scans";
+    setting.objects = {"banana"};
+    setting.images = 1;
+    setting.visible = {0.95, 1};  // soon found
+    std::size_t told = 0;
+    auto const make = [&] {
+        make_dataset(folder / "made", setting, 1, 2, [&](std::size_t done, std::size_t) { told = done; });
+    };
+    make();
+    CHECK(told == 1);
+    bop::Dataset const dataset = bop::read_dataset(folder / "made");
+    REQUIRE(dataset.models.size() == 2);
+    std::vector<std::string> warnings;
+    Eigen::AlignedBox3d box;
+    for (Eigen::Vector3d const& vertex : bop::load_model(dataset.models.at(10), warnings).vertices)
+        box.extend(vertex);
+    CHECK(box.center().norm() < 1e-6);
+    folder.write("scans/mug.obj", obj_text(banana));
+    told = 0;
+    make();
+    CHECK(told == 1);  // other meshes, other scenes
+    setting.objects = {"bowl"};
+    CHECK_THAT(input_error_text(make), Catch::Matchers::Contains("has no mesh of bowl, expected one called bowl.obj"));
+    setting.models = folder / "made";
+    CHECK_THAT(input_error_text(make), Catch::Matchers::Contains("has no mesh of a class"));
+}
+
 TEST_CASE("A journal of estimates gives back what it was given, but for damaged rows", "[experiments]") {
     TempFolder const folder;
     EstimateResult result;
@@ -246,6 +294,7 @@ TEST_CASE("What is wrong with an experiment file is said with its line", "[exper
     says("shift:", "shfit:", {":6: ", "did you mean shift?"});
     says("estimator.backend", "estimator.backen", {":9: ", "estimator.backend"});
     says("  grip:", "  g/rip:", {":9: ", "is no name"});
+    says("{dataset: frames}", "{dataset: frames, models: frames}", {":7: ", "models"});
     says("{dataset: frames}", "{dataset: frames, images: 3, objects: [mug]}", {":7: ", "either dataset, or objects"});
     says("methods:", "method:", {":8: method", "did you mean methods?"});
 }

@@ -148,10 +148,12 @@ class ExperimentReader {
             return reject(map, "a map with dataset, or with objects and images");
         Setting setting;
         setting.name = map.name;
-        static Names const names{"dataset", "objects", "images", "visible", "boxes"};
+        static Names const names{"dataset", "models", "objects", "images", "visible", "boxes"};
         for (MapEntry const& entry : read_entries(map.value, "scenes." + map.name + ".", faults_)) {
             if (entry.name == "dataset")
                 read_path(entry, setting.dataset);
+            else if (entry.name == "models")
+                read_path(entry, setting.models);
             else if (entry.name == "objects")
                 setting.objects = objects(entry);
             else if (entry.name == "images")
@@ -165,6 +167,8 @@ class ExperimentReader {
         }
         if (setting.dataset.empty() == (setting.objects.empty() || setting.images == 0))
             faults_.push_back({map.line, map.name, std::nullopt, "expected either dataset, or objects and images"});
+        if (!setting.dataset.empty() && !setting.models.empty())
+            faults_.push_back({map.line, map.name, std::nullopt, "has models, which a dataset brings itself"});
         experiment_.scenes.push_back(std::move(setting));
     }
 

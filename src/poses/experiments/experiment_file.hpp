@@ -19,6 +19,7 @@ struct DetectorModel {
 struct Setting {
     std::string name;
     std::filesystem::path dataset;            ///< empty: scenes are made
+    std::filesystem::path models;             ///< meshes of made scenes; empty: the built-in ones
     std::vector<std::string> objects;         ///< classes to look for, each in images of its own
     int images = 0;                           ///< per class
     std::array<double, 2> visible{0.3, 0.9};  ///< share of the object that is to be seen, drawn between these

@@ -10,15 +10,19 @@
 #include "dataflow/base/counter_random.hpp"
 #include "dataflow/base/files/atomic_folder.hpp"
 #include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/fnv1a.hpp"
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/base/json.hpp"
 #include "dataflow/base/on_threads.hpp"
 #include "faster/dataflow_names.hpp"
+#include "faster/workload/files/mesh_file.hpp"
 #include "faster/workload/files/png_image.hpp"
-#include "faster/workload/models/builtin_models.hpp"
 #include "faster/workload/scene_renderer.hpp"
 #include "faster/workload/sensor_noise.hpp"
 #include "poses/bop/write_dataset.hpp"
+#include "poses/experiments/scene_meshes.hpp"
 #include "poses/experiments/ycb_classes.hpp"
+#include "poses/judging/mesh_symmetries.hpp"
 
 namespace faster::experiments {
 
@@ -210,14 +214,23 @@ namespace fs = std::filesystem;
 
 constexpr char const* recipe_file = "scenes.json";
 
+std::string hash_of(std::map<int, Mesh> const& meshes) {
+    Fnv1a hash;
+    for (auto const& [id, mesh] : meshes)
+        hash.add(std::to_string(id) + files::mesh_bytes(mesh));
+    return std::to_string(hash.value());
+}
+
 /// What the images depend on; of another version of the generator as well.
-std::string recipe_of(Setting const& setting, std::uint64_t seed) {
-    Json const recipe{{"format", "faster-scenes"},
-                      {"version", 1},
-                      {"seed", seed},
-                      {"objects", setting.objects},
-                      {"images", setting.images},
-                      {"visible", setting.visible}};
+std::string recipe_of(Setting const& setting, std::map<int, Mesh> const& meshes, std::uint64_t seed) {
+    Json recipe{{"format", "faster-scenes"},
+                {"version", 1},
+                {"seed", seed},
+                {"objects", setting.objects},
+                {"images", setting.images},
+                {"visible", setting.visible}};
+    if (!setting.models.empty())
+        recipe["models"] = hash_of(meshes);
     return recipe.dump(1) + "\n";
 }
 
@@ -227,15 +240,8 @@ bool holds(fs::path const& folder, std::string const& recipe) {
 
 class DatasetMaker {
   public:
-    DatasetMaker(fs::path folder, Setting const& setting, std::uint64_t seed)
-        : folder_(std::move(folder)), setting_(setting), seed_(seed) {
-        for (std::string const& name : ycb_classes()) {
-            int const id = obj_id_of(name);
-            meshes_[id] = models::make(name);
-            models_[id].obj_id = id;
-            add_symmetries(models_[id], name);
-        }
-    }
+    DatasetMaker(fs::path folder, Setting const& setting, std::map<int, Mesh> meshes, std::uint64_t seed)
+        : folder_(std::move(folder)), setting_(setting), seed_(seed), meshes_(std::move(meshes)) {}
 
     void make(std::size_t jobs, std::function<void(std::size_t, std::size_t)> const& progress) {
         make_folders();
@@ -259,7 +265,19 @@ class DatasetMaker {
     void write_models() const {
         for (auto const& [id, mesh] : meshes_)
             io::write_file(folder_ / "models" / fmt::format("obj_{:06}.ply", id), bop::ply_text(mesh));
-        io::write_file(folder_ / "models" / "models_info.json", bop::models_info_json(models_, meshes_));
+        io::write_file(folder_ / "models" / "models_info.json", bop::models_info_json(models(), meshes_));
+    }
+    /// What turns them into themselves is known of the built-in meshes, and looked for in others.
+    std::map<int, bop::ObjectModel> models() const {
+        std::map<int, bop::ObjectModel> models;
+        for (auto const& [id, mesh] : meshes_) {
+            models[id].obj_id = id;
+            if (setting_.models.empty())
+                add_symmetries(models[id], ycb_classes()[static_cast<std::size_t>(id) - 1]);
+            else
+                models[id] = poses::with_symmetries_of_mesh(models[id], mesh);
+        }
+        return models;
     }
 
     void make_images(std::size_t jobs, std::function<void(std::size_t, std::size_t)> const& progress) {
@@ -312,7 +330,6 @@ class DatasetMaker {
     std::uint64_t seed_;
     Camera camera_;
     std::map<int, Mesh> meshes_;
-    std::map<int, bop::ObjectModel> models_;
     std::vector<bop::DatasetImage> images_;
 };
 
@@ -342,7 +359,12 @@ MadeScene made_scene(SceneWish const& wish, std::map<int, Mesh> const& meshes, C
 
 void make_dataset(fs::path const& folder, Setting const& setting, std::uint64_t seed, std::size_t jobs,
                   std::function<void(std::size_t, std::size_t)> const& progress) {
-    std::string const recipe = recipe_of(setting, seed);
+    std::map<int, Mesh> meshes = scene_meshes(setting.models);
+    for (std::string const& name : setting.objects)
+        if (meshes.count(obj_id_of(name)) == 0)
+            throw InputError(setting.models.string() + ": has no mesh of " + name + ", expected one called " + name +
+                             ".obj or 001_" + name + ".obj");
+    std::string const recipe = recipe_of(setting, meshes, seed);
     if (holds(folder, recipe))
         return;
     io::AtomicFolder target(
@@ -351,7 +373,7 @@ void make_dataset(fs::path const& folder, Setting const& setting, std::uint64_t 
                  {"test/*/depth/*.png", "test/*/scene_camera.json", "test/*/scene_gt.json", "test/*/scene_gt_info.json",
                   "models/obj_*.ply", "models/models_info.json", "camera.json", "test_targets_bop19.json"},
                  "faster-scenes"});
-    DatasetMaker(target.path(), setting, seed).make(jobs, progress);
+    DatasetMaker(target.path(), setting, std::move(meshes), seed).make(jobs, progress);
     io::write_file(target.path() / recipe_file, recipe);
     target.commit();
 }

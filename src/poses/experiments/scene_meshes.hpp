@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+#include <map>
+
+#include "faster/data/mesh.hpp"
+
+namespace faster::experiments {
+
+/// What made scenes are made from, by obj_id: the built-in meshes, or those of a folder whose files are called like the
+/// classes, NAME.obj or 002_NAME.ply. They are moved so that their boxes have the origin in the middle.
+/// Errors: InputError for a folder that has none, and as load_mesh().
+std::map<int, Mesh> scene_meshes(std::filesystem::path const& folder);
+
+}  // namespace faster::experiments

@@ -3,7 +3,8 @@
 #   scripts/test.sh            preset release
 #   scripts/test.sh --tidy     also clang-tidy, which takes minutes
 #   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, engine tests without dataflow/lookup, the
-#                              changes of docs/changing-the-design.md, a minute of fuzzing; a missing clang-format is an error
+#                              changes of docs/changing-the-design.md, the .deb in a bare Debian, a minute of fuzzing; a
+#                              missing clang-format is an error
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -54,6 +55,7 @@ ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(npro
 if [[ "${CI:-}" == true ]]; then
     bash scripts/check-without-lookup.sh "$preset"
     bash scripts/check-changes.sh "$preset"
+    bash scripts/check-package.sh "$preset"
 fi
 
 if [[ "$tidy" == true ]]; then

@@ -21,7 +21,7 @@ inside() {
     chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"
 }
 inside apt-get update -q >>"$log"
-inside apt-get install -q -y --no-install-recommends /faster-sim.deb python3 python3-numpy man-db >>"$log"
+inside apt-get install -q -y -o Dir::Log::Terminal= --no-install-recommends /faster-sim.deb python3 python3-numpy man-db >>"$log"
 
 start=$SECONDS
 inside faster-sim run /usr/share/faster-sim/configs/faster_zcu102.yaml --out /tmp/main --events /tmp/main.events | sed -n 1,2p
@@ -30,6 +30,6 @@ inside faster-sim whatif /tmp/main.events --set accelerator.raster_cores=8 | sed
 inside python3 -c 'import faster_sim; print(faster_sim.load_events("/tmp/main.events").whatif(accelerator__raster_cores=8).total_cycles)'
 inside man faster-sim-run | grep 'faster-sim-run - Simulate'
 inside test -e /usr/include/faster-sim/dataflow/core/machine/machine.hpp
-inside apt-get purge -q -y faster-sim >>"$log"
+inside apt-get purge -q -y -o Dir::Log::Terminal= faster-sim >>"$log"
 inside test ! -e /usr/share/faster-sim
 echo "try-package: installed, ran, removed without a trace"

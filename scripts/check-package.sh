@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Makes the .deb of a preset that is built, lets lintian look for errors, and tries it in a bare Debian 12
+# (scripts/try-package.sh), which needs root. Two minutes.
+#   scripts/check-package.sh [PRESET]    preset ci by default
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+folder="build/${1:-ci}"
+packages="$PWD/$folder/packages"
+log="$PWD/$folder/package.log"
+rm -rf "$packages"
+(cd "$folder" && cpack -G DEB -B "$packages") >"$log" 2>&1 || {
+    cat "$log" >&2
+    exit 1
+}
+lintian --allow-root --fail-on error "$packages"/*.deb
+if ((EUID == 0)); then
+    bash scripts/try-package.sh "$packages"/*.deb
+else
+    echo "check-package: not root, so the package is not tried in a bare root"
+fi

@@ -43,16 +43,16 @@ void CommandPaths::add(std::string const& what, fs::path const& given, io::Folde
     bool const is_wrong = !what.empty() && kind == nullptr && fs::is_directory(given, error);  // who writes says so
     if (given.empty() || io::is_device(given) || is_wrong)
         return;
-    Place const place{what, given, resolved(given), kind};
-    for (Place const& other : places_)
+    GivenPath const place{what, given, resolved(given), kind};
+    for (GivenPath const& other : paths_)
         if (!(what.empty() && other.what.empty()))
             require_apart(other, place);
-    places_.push_back(place);
+    paths_.push_back(place);
 }
 
 /// Whether a path is that place, or below it: in a folder of results only what is of its kind, and nothing can be below
 /// a file that is written.
-bool CommandPaths::covers(Place const& place, fs::path const& path) {
+bool CommandPaths::covers(GivenPath const& place, fs::path const& path) {
     fs::path const below = path.lexically_relative(place.path);
     if (below.empty() || *below.begin() == "..")
         return false;
@@ -61,14 +61,14 @@ bool CommandPaths::covers(Place const& place, fs::path const& path) {
     return place.kind != nullptr ? place.kind->has(below.begin()->string()) : !place.what.empty();
 }
 
-void CommandPaths::require_apart(Place const& older, Place const& newer) {
+void CommandPaths::require_apart(GivenPath const& older, GivenPath const& newer) {
     if (!covers(older, newer.path) && !covers(newer, older.path))
         return;
     if (!older.what.empty() && !newer.what.empty())
         throw InputError(fmt::format("{} {} and {} {}: one would replace the other, expected different paths",
                                      older.what, older.given.string(), newer.what, newer.given.string()));
-    Place const& output = older.what.empty() ? newer : older;
-    Place const& input = older.what.empty() ? older : newer;
+    GivenPath const& output = older.what.empty() ? newer : older;
+    GivenPath const& input = older.what.empty() ? older : newer;
     throw InputError(fmt::format("{} {}: would replace {}, which is read, expected another path", output.what,
                                  output.given.string(), input.given.string()));
 }

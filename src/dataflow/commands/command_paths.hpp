@@ -22,16 +22,16 @@ class CommandPaths {
     void writes(std::string const& what, std::filesystem::path const& folder, io::FolderKind const& kind);
 
   private:
-    struct Place {
+    struct GivenPath {
         std::string what;                   // empty: it is read
         std::filesystem::path given, path;  // the latter absolute, symbolic links resolved
         io::FolderKind const* kind;         // null: a file, or a folder that is read
     };
     void add(std::string const& what, std::filesystem::path const& given, io::FolderKind const* kind);
-    static bool covers(Place const& place, std::filesystem::path const& path);
-    static void require_apart(Place const& older, Place const& newer);
+    static bool covers(GivenPath const& place, std::filesystem::path const& path);
+    static void require_apart(GivenPath const& older, GivenPath const& newer);
 
-    std::vector<Place> places_;
+    std::vector<GivenPath> paths_;
 };
 
 }  // namespace dataflow

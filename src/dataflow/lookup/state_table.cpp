@@ -42,32 +42,32 @@ bool StateTable::equal(StateView one, StateView other) {
 
 StateTable::Number StateTable::number_of(StateView state) {
     std::uint64_t const hash = hash_of(state);
-    std::size_t const mask = places_.size() - 1;
+    std::size_t const mask = buckets_.size() - 1;
     std::size_t i = hash & mask;
-    for (; places_[i].number != none; i = (i + 1) & mask)
-        if (places_[i].hash == hash && equal(states_[places_[i].number], state))
-            return places_[i].number;
+    for (; buckets_[i].number != none; i = (i + 1) & mask)
+        if (buckets_[i].hash == hash && equal(states_[buckets_[i].number], state))
+            return buckets_[i].number;
     if (states_.size() >= most_)
         return none;
     auto const number = static_cast<Number>(states_.size());
     states_.emplace_back(words_.keep(state.words, state.size), state.size);
-    places_[i] = {hash, number};
-    if (2 * states_.size() > places_.size())
+    buckets_[i] = {hash, number};
+    if (2 * states_.size() > buckets_.size())
         grow();
     return number;
 }
 
 void StateTable::grow() {
-    std::vector<Place> old(2 * places_.size());
-    old.swap(places_);
-    std::size_t const mask = places_.size() - 1;
-    for (Place const& place : old) {
+    std::vector<Bucket> old(2 * buckets_.size());
+    old.swap(buckets_);
+    std::size_t const mask = buckets_.size() - 1;
+    for (Bucket const& place : old) {
         if (place.number == none)
             continue;
         std::size_t i = place.hash & mask;
-        while (places_[i].number != none)
+        while (buckets_[i].number != none)
             i = (i + 1) & mask;
-        places_[i] = place;
+        buckets_[i] = place;
     }
 }
 

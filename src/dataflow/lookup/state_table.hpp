@@ -22,7 +22,7 @@ class StateTable {
     std::size_t size() const { return states_.size(); }
 
   private:
-    struct Place {
+    struct Bucket {
         std::uint64_t hash = 0;
         Number number = none;
     };
@@ -33,7 +33,7 @@ class StateTable {
 
     std::size_t most_;
     std::vector<StateView> states_;
-    std::vector<Place> places_ = std::vector<Place>(2048);  ///< by hash: open addressing, a power of two
+    std::vector<Bucket> buckets_ = std::vector<Bucket>(2048);  ///< by hash: open addressing, a power of two
     WordArena<StateWord> words_;
 };
 

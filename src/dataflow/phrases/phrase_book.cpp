@@ -29,31 +29,31 @@ std::vector<PhraseBook::Number> PhraseBook::numbers_of(PhraseBook const& other) 
 PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, std::uint32_t due, Compare compare) {
     Print const print = phrase.print(print_number);
     std::size_t const place = place_of(phrase, print, compare);
-    if (places_[place].number != none)
-        return places_[place].number;
+    if (buckets_[place].number != none)
+        return buckets_[place].number;
     auto const number = static_cast<Number>(entries_.size());
     entries_.push_back({static_cast<std::uint32_t>(codes_.size()), phrase.size(), phrase.active(), due, 0, 0});
     codes_.insert(codes_.end(), phrase.codes(), phrase.codes() + phrase.size());
-    places_[place] = {print, number};
-    if (2 * entries_.size() > places_.size())
+    buckets_[place] = {print, number};
+    if (2 * entries_.size() > buckets_.size())
         grow();
     return number;
 }
 
 std::optional<PhraseBook::Number> PhraseBook::find(Phrase const& phrase) const {
-    Number const number = places_[place_of(phrase, phrase.print(print_number), Compare::codes)].number;
+    Number const number = buckets_[place_of(phrase, phrase.print(print_number), Compare::codes)].number;
     return number == none ? std::nullopt : std::optional<Number>(number);
 }
 
 /// Where it is, or has to be put.
 std::size_t PhraseBook::place_of(Phrase const& phrase, Print const& print, Compare compare) const {
-    auto const is_it = [&](Place const& place) {
+    auto const is_it = [&](Bucket const& place) {
         return place.print.first == print.first && place.print.second == print.second &&
                (compare == Compare::prints || is(place.number, phrase));
     };
-    std::size_t const mask = places_.size() - 1;
+    std::size_t const mask = buckets_.size() - 1;
     std::size_t place = print.first & mask;
-    while (places_[place].number != none && !is_it(places_[place]))
+    while (buckets_[place].number != none && !is_it(buckets_[place]))
         place = (place + 1) & mask;
     return place;
 }
@@ -67,14 +67,14 @@ bool PhraseBook::is(Number number, Phrase const& phrase) const {
 }
 
 void PhraseBook::grow() {
-    std::vector<Place> old(2 * places_.size());
-    old.swap(places_);
-    for (Place const& known : old) {
-        std::size_t place = known.print.first & (places_.size() - 1);
-        while (known.number != none && places_[place].number != none)
-            place = (place + 1) & (places_.size() - 1);
+    std::vector<Bucket> old(2 * buckets_.size());
+    old.swap(buckets_);
+    for (Bucket const& known : old) {
+        std::size_t place = known.print.first & (buckets_.size() - 1);
+        while (known.number != none && buckets_[place].number != none)
+            place = (place + 1) & (buckets_.size() - 1);
         if (known.number != none)
-            places_[place] = known;
+            buckets_[place] = known;
     }
 }
 
@@ -82,7 +82,7 @@ void PhraseBook::clear() {
     codes_.clear();
     entries_.clear();
     pieces_.clear();
-    std::fill(places_.begin(), places_.end(), Place());
+    std::fill(buckets_.begin(), buckets_.end(), Bucket());
 }
 
 void PhraseBook::set_pieces(Number number, std::vector<Number> const& pieces) {

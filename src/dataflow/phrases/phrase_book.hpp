@@ -48,7 +48,7 @@ class PhraseBook {
 
   private:
     static constexpr Number none = ~Number{0};
-    struct Place {
+    struct Bucket {
         Print print;
         Number number = none;
     };
@@ -60,7 +60,7 @@ class PhraseBook {
     std::vector<Phrase::Code> codes_;
     std::vector<Entry> entries_;
     std::vector<Number> pieces_;
-    std::vector<Place> places_ = std::vector<Place>(1024);  ///< by print: open addressing, a power of two
+    std::vector<Bucket> buckets_ = std::vector<Bucket>(1024);  ///< by print: open addressing, a power of two
 };
 
 /// What a group does next: phrases, by their numbers in a book. The supplier's operations are in its log.

@@ -23,9 +23,9 @@ bool is_plain_scalar(YAML::Node const& node) {
 int line_of(YAML::Node const& node, int otherwise) { return node.Mark().is_null() ? otherwise : node.Mark().line + 1; }
 
 /// Reads one value, of a key or of a part of it (`name` is then like "workload.offset[1]").
-class Reader {
+class ValueReader {
   public:
-    Reader(std::string name, int line, std::filesystem::path const& folder, KeyFaults& faults)
+    ValueReader(std::string name, int line, std::filesystem::path const& folder, KeyFaults& faults)
         : name_(std::move(name)), line_(line), folder_(folder), faults_(faults) {}
 
     std::optional<KeyValue> read(Key const& key, YAML::Node const& node) const {
@@ -80,7 +80,7 @@ class Reader {
         faults_.push_back({line_, name_, shown(node) + where, "expected " + what});
     }
 
-    Reader element(std::size_t index, YAML::Node const& node) const {
+    ValueReader element(std::size_t index, YAML::Node const& node) const {
         return {fmt::format("{}[{}]", name_, index), std::max(line_of(node, line_), line_), folder_, faults_};
     }
 
@@ -172,7 +172,7 @@ class Reader {
     }
 
     void read_field(std::vector<ItemField> const& fields, MapEntry const& entry, ItemValue& result) const {
-        Reader const reader(name_ + '.' + entry.name, entry.line, folder_, faults_);
+        ValueReader const reader(name_ + '.' + entry.name, entry.line, folder_, faults_);
         for (std::size_t index = 0; index < fields.size(); ++index) {
             if (fields[index].text.name == entry.name) {
                 reader.read_part(fields[index], entry.value, result.fields[index].second);
@@ -230,7 +230,7 @@ class Reader {
 
 std::optional<KeyValue> read_value(Key const& key, YAML::Node const& node, int line,
                                    std::filesystem::path const& folder, KeyFaults& faults) {
-    return Reader(key.name(), line, folder, faults).read(key, node);
+    return ValueReader(key.name(), line, folder, faults).read(key, node);
 }
 
 std::vector<MapEntry> read_entries(YAML::Node const& map, std::string const& prefix, KeyFaults& faults) {

@@ -26,9 +26,9 @@ constexpr std::size_t most_index_bytes = std::size_t{1} << 27;  // a million sam
 constexpr std::uint64_t most_block_bytes = std::uint64_t{1} << 28;
 
 /// Reads an event file from both ends.
-class Reader {
+class EventFileReader {
   public:
-    explicit Reader(std::filesystem::path const& path) : path_(path) {
+    explicit EventFileReader(std::filesystem::path const& path) : path_(path) {
         io::require_file(path);
         stream_.open(path, std::ios::binary | std::ios::ate);
         size_ = stream_ ? static_cast<std::uint64_t>(stream_.tellg()) : 0;
@@ -230,9 +230,9 @@ void put(std::string_view bytes, std::ostream& stream) {
 
 }  // namespace
 
-EventFile read_event_file(std::filesystem::path const& path) { return Reader(path).read(); }
+EventFile read_event_file(std::filesystem::path const& path) { return EventFileReader(path).read(); }
 
-std::string recording_program(std::filesystem::path const& path) { return Reader(path).program(); }
+std::string recording_program(std::filesystem::path const& path) { return EventFileReader(path).program(); }
 
 void write_event_file(io::OutputFile const& file, RunConfig const& config, replay::RecordedRun const& run,
                       RunStatistics const& statistics, std::string const& summary, std::string const& function) {

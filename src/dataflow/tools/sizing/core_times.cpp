@@ -130,7 +130,7 @@ bool CoreTimes::was_full(Choice const& choice, std::size_t fifo) const {
 }
 
 /// Enough room for what happened there, and at most its latency.
-bool CoreTimes::is_as_fast(Choice const& choice, Place const& place, Known const& known) {
+bool CoreTimes::is_as_fast(Choice const& choice, CoreChoice const& place, Known const& known) {
     for (std::size_t i = 0; i < choice.size(); ++i)
         if (choice[i].capacity() < std::min(known.room[i], place.second[i].capacity()) ||
             choice[i].read_latency() > place.second[i].read_latency())
@@ -140,7 +140,7 @@ bool CoreTimes::is_as_fast(Choice const& choice, Place const& place, Known const
 
 /// Whether two choices make no difference: latencies are equal, and room is too, or more than is needed. Where a run
 /// got stuck, what was full is not all counted.
-bool CoreTimes::is_same(Choice const& choice, Place const& place, Known const& known) {
+bool CoreTimes::is_same(Choice const& choice, CoreChoice const& place, Known const& known) {
     if (known.is_left_early || known.end == Cut::deadlock)
         return choice == place.second;
     for (std::size_t i = 0; i < choice.size(); ++i) {
@@ -274,7 +274,7 @@ std::vector<std::size_t> CoreTimes::with(std::size_t core) const {
 }
 
 /// False if it has not been left before its end.
-bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound) {
+bool CoreTimes::enter_as_left(CoreChoice const& place, timing::CoreTiming const& core, Cycles bound) {
     replay::Leaves const exceeds = as_soon_as_exceeds(place.first, bound);
     std::size_t const done = results_of(core).size();
     std::size_t const samples = share_of(place.first, machine_.cores, run_->run().tape.samples()).count;
@@ -289,7 +289,7 @@ bool CoreTimes::enter_as_left(Place const& place, timing::CoreTiming const& core
     return true;
 }
 
-bool CoreTimes::is_told_by(Place const& place, Known const& known, Choice const& choice, bool exceeds) const {
+bool CoreTimes::is_told_by(CoreChoice const& place, Known const& known, Choice const& choice, bool exceeds) const {
     if (!is_monotone())
         return is_same(choice, place, known);
     return exceeds ? is_no_faster(choice, place.second) : is_as_fast(choice, place, known);

@@ -76,7 +76,7 @@ class CoreTimes {
     std::size_t retimed_cores() const { return retimed_ + (is_monotone() ? 0 : relaxed_->retimed_cores()); }
 
   private:
-    using Place = std::pair<std::size_t, Choice>;
+    using CoreChoice = std::pair<std::size_t, Choice>;
     struct Known {
         Cycles end = 0;
         bool is_left_early = false;  ///< not before `end`, and then nothing is known of room
@@ -91,16 +91,16 @@ class CoreTimes {
     /// Stamps of the process that ends samples, and who writes what it waits for.
     std::vector<Cycles> const& results_of(timing::CoreTiming const& core) const;
     timing::ProcessTiming const* writer_of_results(timing::CoreTiming const& core) const;
-    static bool is_as_fast(Choice const& choice, Place const& place, Known const& known);
-    static bool is_same(Choice const& choice, Place const& place, Known const& known);
-    bool is_told_by(Place const& place, Known const& known, Choice const& choice, bool exceeds) const;
+    static bool is_as_fast(Choice const& choice, CoreChoice const& place, Known const& known);
+    static bool is_same(Choice const& choice, CoreChoice const& place, Known const& known);
+    bool is_told_by(CoreChoice const& place, Known const& known, Choice const& choice, bool exceeds) const;
     bool has_frozen(Choice const& choice, Known const& known) const;
     std::optional<Known> known(std::size_t core, Choice const& choice) const;
     replay::Leaves as_soon_as_exceeds(std::size_t core, Cycles bound) const;
     /// Those that have to be retimed with it.
     std::vector<std::size_t> with(std::size_t core) const;
     replay::Cores with_trails(std::size_t core, Choice const& choice, replay::Leaves const& leaves) const;
-    bool enter_as_left(Place const& place, timing::CoreTiming const& core, Cycles bound);
+    bool enter_as_left(CoreChoice const& place, timing::CoreTiming const& core, Cycles bound);
     /// As retime_cores() does.
     replay::Cores retimed(std::vector<std::size_t> const& cores, Choice const& choice,
                           replay::CoreOptions const& options) const;
@@ -123,7 +123,7 @@ class CoreTimes {
     std::unique_ptr<CoreTimes> const relaxed_;  ///< null: these times are monotone
     std::size_t cores_;
     std::vector<std::uint64_t> tokens_;  ///< by FIFO
-    std::map<Place, Known> known_;       ///< by core first
+    std::map<CoreChoice, Known> known_;  ///< by core first
     /// By core: what the process that writes the results has to do, at least, whatever the FIFOs are.
     std::vector<std::optional<Cycles>> work_;
     std::size_t retimed_ = 0;

@@ -30,25 +30,25 @@ class DualMapFirstWrite : public Transition {
     }
 
   private:
-    struct Place {
+    struct Pixel {
         int row = 0;
         int col = 0;
     };
 
-    std::optional<Place> uncovered(int row, int col) const {
+    std::optional<Pixel> uncovered(int row, int col) const {
         if (!object_map_.contains(row, col) || object_map_.at(row, col) != 0) {
             return std::nullopt;
         }
-        return Place{row, col};
+        return Pixel{row, col};
     }
-    void set(std::optional<Place> const& place) {
+    void set(std::optional<Pixel> const& place) {
         if (place) {
             edge_map_.at(place->row, place->col) = 1;
         }
     }
 
-    std::optional<Place> edge_up_;  // as in the thesis's pseudo code
-    std::optional<Place> edge_down_;
+    std::optional<Pixel> edge_up_;  // as in the thesis's pseudo code
+    std::optional<Pixel> edge_down_;
 };
 
 }  // namespace faster::reference

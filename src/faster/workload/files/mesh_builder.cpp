@@ -85,7 +85,7 @@ bool is_finite_float(double value) { return std::abs(value) <= double{std::numer
 
 }  // namespace
 
-void MeshBuilder::add_vertex(Eigen::Vector3d const& vertex, Place const& place) {
+void MeshBuilder::add_vertex(Eigen::Vector3d const& vertex, SayWhere const& place) {
     if (!is_finite_float(vertex.x()) || !is_finite_float(vertex.y()) || !is_finite_float(vertex.z()))
         throw InputError(fmt::format("{}: vertex {} (counted from 0) is ({}, {}, {}), expected finite coordinates",
                                      place(), vertices_.size(), vertex.x(), vertex.y(), vertex.z()));

@@ -14,10 +14,10 @@ namespace faster::files {
 class MeshBuilder {
   public:
     /// Where in the file something stands, for messages.
-    using Place = std::function<std::string()>;
+    using SayWhere = std::function<std::string()>;
 
     /// A vertex, kept in single precision. Throws InputError if a coordinate is not finite there.
-    void add_vertex(Eigen::Vector3d const& vertex, Place const& place);
+    void add_vertex(Eigen::Vector3d const& vertex, SayWhere const& place);
 
     std::size_t vertices() const { return vertices_.size(); }
     std::size_t polygons() const { return ends_.size(); }

@@ -46,17 +46,17 @@ bool is_little_endian() {
     return *reinterpret_cast<unsigned char const*>(&one) == 1;
 }
 
-class Reader {
+class PngReader {
   public:
-    explicit Reader(std::string_view file)
+    explicit PngReader(std::string_view file)
         : left_(file), png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, give_up, say_nothing)) {
         info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
         if (info_ != nullptr)
             png_set_read_fn(png_, this, take);
     }
-    ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
-    Reader(Reader const&) = delete;
-    Reader& operator=(Reader const&) = delete;
+    ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+    PngReader(PngReader const&) = delete;
+    PngReader& operator=(PngReader const&) = delete;
 
     bool read(png_bytepp rows, std::size_t row_bytes, int height) {
         if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0)  // NOLINT(cert-err52-cpp): libpng is C
@@ -76,7 +76,7 @@ class Reader {
 
   private:
     static void take(png_structp png, png_bytep bytes, std::size_t count) {
-        auto& reader = *static_cast<Reader*>(png_get_io_ptr(png));
+        auto& reader = *static_cast<PngReader*>(png_get_io_ptr(png));
         if (count > reader.left_.size())
             png_error(png, "cut off");
         std::copy_n(reader.left_.data(), count, bytes);
@@ -209,7 +209,7 @@ bool decode_png(std::string_view file, PngPixels& pixels) {
     rows.reserve(static_cast<std::size_t>(pixels.height));
     for (int row = 0; row < pixels.height; ++row)
         rows.push_back(pixels.bytes.data() + static_cast<std::size_t>(row) * pixels.row_bytes());
-    return Reader(file).read(rows.data(), pixels.row_bytes(), pixels.height);
+    return PngReader(file).read(rows.data(), pixels.row_bytes(), pixels.height);
 }
 
 }  // namespace faster::files

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the .deb of a preset that is built, lets lintian look for errors, and tries it in a bare Debian 12
-# (scripts/try-package.sh), which needs root. Two minutes.
+# (scripts/try-package.sh), which has to mount. Two minutes.
 #   scripts/check-package.sh [PRESET]    preset ci by default
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -14,8 +14,8 @@ rm -rf "$packages"
     exit 1
 }
 lintian --allow-root --fail-on error "$packages"/*.deb
-if ((EUID == 0)); then
-    bash scripts/try-package.sh "$packages"/*.deb
-else
-    echo "check-package: not root, so the package is not tried in a bare root"
+if ! unshare --mount true 2>/dev/null; then # not root, or a container that may not mount
+    echo "check-package: nothing may be mounted here, so the package is not tried in a bare Debian"
+    exit 0
 fi
+bash scripts/try-package.sh "$packages"/*.deb

@@ -11,7 +11,7 @@ page() {
     local name="$1"
     shift
     local summary
-    summary="$("$@" --help | head -n 1)"
+    summary="$("$@" --help | sed -n 1p)" # all of it is read: nobody is killed by a closed pipe
     help2man --no-info --no-discard-stderr --section 1 --name "$summary" --version-string "$name $("$program" --version)" \
         --manual "faster-sim" --output "$folder/$name.1" "$*"
     gzip -9nf "$folder/$name.1"

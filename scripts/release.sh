@@ -24,8 +24,10 @@ done
 
 sed -i "s/^## $number (unreleased)$/## $version ($(date -u +%F))/" CHANGELOG.md
 sed -i "s/^project(faster-sim VERSION [0-9.]*/project(faster-sim VERSION $version/" CMakeLists.txt
+sed -i "s/^version: .*/version: $version/" CITATION.cff
+sed -i "s/faster-sim_[0-9.]*_amd64/faster-sim_${version}_amd64/" docs/installing.md
 if [[ -n "$(git status --porcelain)" ]]; then
-    git commit -q -m "Release $version" CHANGELOG.md CMakeLists.txt
+    git commit -q -m "Release $version" CHANGELOG.md CMakeLists.txt CITATION.cff docs/installing.md
 fi
 
 out=out/release/$version

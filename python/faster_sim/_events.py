@@ -177,10 +177,7 @@ class _ByProgram:
         return [Retimed(*row) for row in zip(statuses, table["total_cycles"].tolist(), table["milliseconds"].tolist())]
 
     def sensitivities(self, overrides: list[str], progress: Optional[Progress]) -> str:
-        if overrides:
-            raise InputError(f"{overrides[0]}: {Path(self._program).name} knows the sensitivities of the recorded run, expected "
-                             "no values")
-        return self._file(["sensitivities", self._path], "--csv", "sensitivities.csv", progress)
+        return self._file(["sensitivities", self._path, *_as_options(overrides)], "--csv", "sensitivities.csv", progress)
 
     def size_fifos(self, overrides: list[str], within_percent: float, front_points: int, jobs: int,
                    progress: Optional[Progress]) -> str:

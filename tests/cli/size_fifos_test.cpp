@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <regex>
 
+#include "dataflow/base/grouped_digits.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/small_workspace.hpp"
@@ -69,7 +70,7 @@ TEST_CASE("size-fifos writes depths that whatif and a run confirm") {
     CHECK(sizing["bound_cycles"].get<std::uint64_t>() == unbounded + unbounded * 2 / 100);
     CHECK(answer <= sizing["bound_cycles"].get<std::uint64_t>());
     CHECK_THAT(result.out, Contains("Proven: nothing below ") && Contains(" LUT-equivalents keeps the bound."));
-    CHECK_THAT(result.out, Contains(std::to_string(answer)));
+    CHECK_THAT(result.out, Contains(dataflow::grouped(answer)));
 
     CHECK(workspace.cycles_of_depths() == answer);
 

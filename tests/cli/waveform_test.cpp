@@ -341,7 +341,7 @@ TEST_CASE("A timeline has a track per module, stalls inside loops, and as many s
         samples += event.at("cat") == "sample" && event["args"]["complete"] == true ? 1U : 0U;
         if (event.at("cat") == "stall")
             CHECK(event["args"]["stalled_cycles"] <=
-                  event["args"]["end_cycle"].get<int>() - event["args"]["begin_cycle"].get<int>());
+                  event["args"]["end_cycle"].get<int>() + 1 - event["args"]["begin_cycle"].get<int>());
     }
     CHECK(samples == 2);  // one of each core
     CHECK(slices["loop"] > 10);

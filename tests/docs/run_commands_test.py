@@ -76,12 +76,12 @@ NOT_RUN = {
 LONG = {
     "size-fifos out/": "minutes",
     "cosim main_job": "half a minute",
+    "sensitivities out/main.events": "half a minute",
     "record configs/faster_zcu102.yaml": "for the line behind it",
     "faster_zcu102_memory.yaml": "half a minute, as it is run five times",
     "out/memory.events": "for the line before it",
     "out/next.events": "for the line before it",
     "--fst out/banana.fst": "seconds of writing",
-    "sensitivities out/": "seconds, in three pages; python.the_package_does_what_the_program_does has them as well",
     "configs/sweeps/architectures.yaml": "minutes",
     "configs/sweeps/own_designs.yaml": "minutes",
     "edge-quality --poses 50": "minutes",

@@ -37,6 +37,9 @@ mkdir -p scripts build/release
 cp "$source/scripts/release.sh" scripts
 printf 'project(faster-sim VERSION 0.8.1 LANGUAGES CXX)\n' >CMakeLists.txt
 printf '# Changelog\n\n## 0.9.0 (unreleased)\n\n- New.\n\n## 0.8.1 (2026-01-01)\n\n- Old.\n' >CHANGELOG.md
+printf 'version: 0.8.1\n' >CITATION.cff
+mkdir docs
+printf 'apt install ./faster-sim_0.8.1_amd64.deb\n' >docs/installing.md
 printf 'build\nout\n' >.gitignore
 git init -q .
 git add .
@@ -57,6 +60,7 @@ touch ../bad-package && refused "lintian found errors" 0.9.0 && rm ../bad-packag
 bash scripts/release.sh 0.9.0 >../log
 out=out/release/0.9.0
 grep -q "VERSION 0.9.0 " CMakeLists.txt || fail "CMakeLists.txt keeps the old version"
+grep -q 0.9.0 CITATION.cff && grep -q _0.9.0_ docs/installing.md || fail "CITATION.cff or docs/installing.md keeps it"
 grep -Eq '^## 0.9.0 \([0-9]{4}-[0-9]{2}-[0-9]{2}\)$' CHANGELOG.md || fail "CHANGELOG.md has no date"
 [[ "$(grep . "$out/NOTES.md")" == "- New." ]] || fail "notes are not those of the version: $(cat "$out/NOTES.md")"
 (cd "$out" && sha256sum --check --quiet SHA256SUMS && [[ $(wc -l <SHA256SUMS) == 3 ]]) || fail "checksums"

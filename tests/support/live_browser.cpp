@@ -153,7 +153,10 @@ LiveBrowser::Point LiveBrowser::press_on(std::string const& selector,
         mouse("mouseReleased", at.x, at.y, 0);
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
-    throw std::runtime_error(selector + ": the mouse does not hit it");
+    Point const at = place_in(box_of(selector));
+    Json const there = value("(document.elementFromPoint(" + std::to_string(at.x) + ", " + std::to_string(at.y) +
+                             ") || { outerHTML: 'nothing' }).outerHTML.slice(0, 200)");
+    throw std::runtime_error(selector + ": the mouse does not hit it, but " + there.dump());
 }
 
 void LiveBrowser::click(std::string const& selector) {

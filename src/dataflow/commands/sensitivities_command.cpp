@@ -1,7 +1,8 @@
-#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/command_paths.hpp"
 #include "dataflow/commands/exit_codes.hpp"
 #include "dataflow/commands/options.hpp"
@@ -12,7 +13,8 @@
 #include "dataflow/run/config/design.hpp"
 #include "dataflow/run/config/keys.hpp"
 #include "dataflow/run/events/event_file.hpp"
-#include "dataflow/run/replay/collect.hpp"
+#include "dataflow/run/events/retimed_config.hpp"
+#include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/sensitivities.hpp"
 #include "dataflow/run/replay/slack.hpp"
 #include "dataflow/tools/report/sensitivity_report.hpp"
@@ -23,10 +25,11 @@ namespace {
 
 /// `faster-sim sensitivities`.
 struct SensitivitiesRequest {
-    std::string events;  ///< file
-    std::string csv;     ///< file; empty: none
-    std::string json;    ///< file; empty: none
-    bool force = false;  ///< however long it takes, whatever memory there is
+    std::string events;                  ///< file
+    std::vector<std::string> overrides;  ///< KEY=VALUE: of the run with these
+    std::string csv;                     ///< file; empty: none
+    std::string json;                    ///< file; empty: none
+    bool force = false;                  ///< however long it takes, whatever memory there is
 };
 
 /// Of steps, of other choices, and of the search for slack.
@@ -35,19 +38,16 @@ double retimings_of(LoadedConfig const& loaded) {
     return per_key * static_cast<double>(timing_keys(loaded.config).size());
 }
 
-RunStatistics with_sensitivities(events::EventFile const& recorded) {
-    RunStatistics run;
-    run.samples = recorded.samples;
-    for (SampleStatistics const& sample : run.samples)
-        run.total_cycles = std::max(run.total_cycles, sample.end_cycle + 1);
-    if (recorded.run.memory)
-        run.load_cycles = replay::load_cycles(machine_of(recorded.loaded.config), recorded.run.memory->loaded);
-    run.total_cycles += run.load_cycles;
+RunStatistics with_sensitivities(events::EventFile const& recorded, LoadedConfig const& loaded) {
+    RunStatistics run = replay::retime(recorded.run, machine_of(loaded.config));
+    if (run.deadlocked())
+        throw InputError("with these settings the run deadlocks in cycle " + std::to_string(run.deadlock_cycle()) +
+                         ", expected settings with which it ends");
     ProgressLine line("retimings");
     auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
-    run.sensitivities = replay::sensitivities(recorded.run, recorded.loaded, progress);
-    run.alternatives = replay::alternatives(recorded.run, recorded.loaded);
-    replay::find_slack(recorded.run, recorded.loaded, run.total_cycles, run.sensitivities, progress);
+    run.sensitivities = replay::sensitivities(recorded.run, loaded, progress);
+    run.alternatives = replay::alternatives(recorded.run, loaded);
+    replay::find_slack(recorded.run, loaded, run.total_cycles, run.sensitivities, progress);
     return run;
 }
 
@@ -60,9 +60,9 @@ int print_sensitivities(SensitivitiesRequest const& request) {
     events::EventFile const recorded = events::read_event_file(request.events);
     auto const csv = io::optional_output_file(request.csv);
     auto const json = io::optional_output_file(request.json);
-    announce_retimings("sensitivities", recorded.run, machine_of(recorded.loaded.config), retimings_of(recorded.loaded),
-                       request.force);
-    RunStatistics const run = with_sensitivities(recorded);
+    LoadedConfig const loaded = events::retimed_config(recorded.loaded, request.overrides);
+    announce_retimings("sensitivities", recorded.run, machine_of(loaded.config), retimings_of(loaded), request.force);
+    RunStatistics const run = with_sensitivities(recorded, loaded);
     if (csv)
         csv->commit(report::sensitivities_csv(run));
     if (json)
@@ -87,6 +87,7 @@ Subcommand sensitivities_command() {
                     ->type_name("FILE");
                 command.add_option("--json", request->json, "Write the same as JSON to this file")->type_name("FILE");
                 add_force(command, request->force);
+                add_overrides(command, request->overrides);
                 return [request] { return print_sensitivities(*request); };
             }};
 }

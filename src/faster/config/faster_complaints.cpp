@@ -100,7 +100,7 @@ void check_sweep_region(LoadedConfig const& loaded, std::vector<std::string>& co
 /// A pixel is drawn where the depth buffer does not say "far", as above.
 void check_hidden(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     AcceleratorConfig const& config = accelerator_of(loaded.config);
-    if (config.inlier_unit.hidden == HiddenPixels::counted && config.fraction_bits.depth_buffer > most_bits_with_far) {
+    if (counts_hidden(config.inlier_unit) && config.fraction_bits.depth_buffer > most_bits_with_far) {
         complaints.push_back(
             complaint(loaded, "accelerator.inlier_unit.hidden",
                       fmt::format("ignored because of {}, with which pixels that nothing drew are nearer than 2 m",

@@ -40,4 +40,6 @@ struct InlierUnitConfig {
     HiddenPixels hidden = HiddenPixels::ignored;
 };
 
+inline bool counts_hidden(InlierUnitConfig const& unit) { return unit.hidden == HiddenPixels::counted; }
+
 }  // namespace faster

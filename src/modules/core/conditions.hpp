@@ -15,9 +15,6 @@ inline Condition extracts_edges(AcceleratorConfig const& config) {
 inline Condition sweeps_touched_region(AcceleratorConfig const& config) {
     return {config.inlier_unit.sweep_region == SweepRegion::touched, "accelerator.inlier_unit.sweep_region"};
 }
-inline bool counts_hidden(AcceleratorConfig const& config) {
-    return config.inlier_unit.hidden == HiddenPixels::counted;
-}
 inline Condition has_external_memory(AcceleratorConfig const& config) {
     return {config.external_memory.model != MemoryModel::ideal, "accelerator.memory.model"};
 }

@@ -7,7 +7,6 @@
 #include "faster/config/sweep_design.hpp"
 #include "faster/config/synthesized_units.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/conditions.hpp"
 #include "modules/core/counted_resources.hpp"
 #include "modules/core/lane_resources.hpp"
 #include "modules/core/raster_core_description.hpp"
@@ -182,7 +181,7 @@ class CoreCount {
                                choice_key("clearing", unit.clearing == MapClearing::on_read_out, "on_read_out"),
                                choice_key("fragment_loop", unit.fragment_loop == FragmentLoop::flattened, "flattened"),
                                choice_key("neighbour_access", has_lines, "window")}));
-        if (counts_hidden(config_))
+        if (counts_hidden(config_.inlier_unit))
             logic += unit.sweep_lanes > 1
                          ? synthesized_logic("lane_hidden_pixels", {number_key("lanes", unit.sweep_lanes, 1)})
                          : synthesized_logic("hidden_pixels", {});

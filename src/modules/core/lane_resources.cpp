@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "faster/config/lane_design.hpp"
-#include "modules/core/conditions.hpp"
 
 namespace faster {
 
@@ -49,7 +48,7 @@ UnitLogic output_of_map(AcceleratorConfig const& config) {
 UnitLogic sweep(AcceleratorConfig const& config) {
     UnitLogic logic = lane_logic("lane_sweep", config.inlier_unit.sweep_lanes,
                                  {region_key(config), buffers_key(config.inlier_unit.buffers), window_key(config)});
-    if (counts_hidden(config))
+    if (counts_hidden(config.inlier_unit))
         logic += lane_logic("lane_hidden_pixels", config.inlier_unit.sweep_lanes, {});
     return logic;
 }

@@ -7,7 +7,6 @@
 
 #include "channels/pixels_fifo.hpp"
 #include "modules/area_reciprocal/area_reciprocal.hpp"
-#include "modules/core/conditions.hpp"
 #include "modules/core/raster_core_description.hpp"
 #include "modules/edge_map_builder/edge_map_buffers.hpp"
 #include "modules/inlier_unit/depth_buffers.hpp"
@@ -52,7 +51,7 @@ class RasterCore : public DataflowCore {
         return TokenFields<FullBuffer>::layout.size() - (context_.sweeps_touched() ? 0 : region_fields);
     }
 
-    std::size_t counters() const { return counters_of(counts_hidden(context_.config)); }
+    std::size_t counters() const { return counters_of(counts_hidden(context_.config.inlier_unit)); }
 
     CoreContext context_;
 

@@ -42,7 +42,7 @@ inline unsigned mask(AcceleratorConfig const& config) {
 
 /// A count of hidden pixels, and the first and last row and column of the others.
 inline unsigned hidden(AcceleratorConfig const& config) {
-    bool const counted = config.inlier_unit.hidden == HiddenPixels::counted;
+    bool const counted = counts_hidden(config.inlier_unit);
     return counted ? pixel_count(config) + 4 * bits_for(static_cast<std::uint64_t>(config.window)) : 0;
 }
 

@@ -2,28 +2,21 @@
 
 #include <algorithm>
 
+#include "modules/inlier_unit/compared_pixels.hpp"
+
 namespace faster::datapath {
 
 HiddenSweep::HiddenSweep(int window, int depth_fraction)
     : side_(static_cast<std::size_t>(window)),
-      near_limit_(2U << depth_fraction),
-      tolerance_((1U << depth_fraction) >> 7) {}
+      near_limit_(drawn_below(depth_fraction)),
+      tolerance_(tolerance_of(depth_fraction)) {}
 
 void HiddenSweep::sweep(std::size_t first, std::size_t count, std::uint16_t const* depth_buffer,
                         std::uint16_t const* observed_depth, SampleCounters& counters) const {
-    std::size_t const end = first + count;
-    for (std::size_t at = first; at < end;) {
-        std::size_t const row = at / side_;
-        std::size_t const row_end = std::min(end, (row + 1) * side_);
-        if (row != 0 && row + 1 != side_) {
-            std::size_t const from = std::max(at, row * side_ + 1);
-            std::size_t const to = std::min(row_end, (row + 1) * side_ - 1);
-            if (from < to)
-                sweep_row(row, from - row * side_, to - row * side_, depth_buffer + row * side_,
-                          observed_depth + (from - first), counters);
-        }
-        at = row_end;
-    }
+    each_compared_row(side_, first, count, [&](std::size_t row, std::size_t from, std::size_t to) {
+        sweep_row(row, from - row * side_, to - row * side_, depth_buffer + row * side_,
+                  observed_depth + (from - first), counters);
+    });
 }
 
 /// `observed` begins with `first_col`, `drawn` with the row.

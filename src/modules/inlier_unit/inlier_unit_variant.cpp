@@ -20,7 +20,7 @@ bool InlierUnitVariant::is_needed(AcceleratorConfig const& config, Machine const
     return config.rasterizer.lanes > 1 || own.sweep_lanes > 1 || has_depth_buffers(config, true).holds ||
            sweeps_touched_region(config).holds || extracts_edges(config).holds || contour_has_depth(config) ||
            own.clearing != MapClearing::loop || own.fragment_loop != FragmentLoop::per_triangle ||
-           own.neighbour_access != NeighbourAccess::direct || counts_hidden(config) ||
+           own.neighbour_access != NeighbourAccess::direct || counts_hidden(own) ||
            machine.loops[fragment_loop].has_interlocks();
 }
 

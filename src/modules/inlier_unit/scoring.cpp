@@ -55,7 +55,7 @@ Scoring::Scoring(CoreContext const& core, ProcessClock& clock)
                     contour_has_depth(core.config) ? datapath::ContourDepth::own : datapath::ContourDepth::neighbour) {
     if (core.config.flow == Flow::fpga_grip)
         edge_extractor_.emplace(core, clock);
-    if (counts_hidden(core.config))
+    if (counts_hidden(core.config.inlier_unit))
         hidden_sweep_.emplace(core.stimulus.window, core.stimulus.fraction.depth_buffer);
 }
 

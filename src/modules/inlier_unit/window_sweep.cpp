@@ -4,16 +4,16 @@
 #include <cstring>
 
 #include "faster/data/fixed_point.hpp"
+#include "modules/inlier_unit/compared_pixels.hpp"
 
 namespace faster::datapath {
 
 WindowSweep::WindowSweep(int window, int depth_fraction, ContourDepth contour_depth)
     : window_(window),
       contour_depth_(contour_depth),
-      near_limit_(2U << depth_fraction),
+      near_limit_(drawn_below(depth_fraction)),
       valid_limit_(3U << depth_fraction),
-      // |difference| <= 1/128 m; below 7 fractional bits only equal codes are that close
-      tolerance_((1U << depth_fraction) >> 7) {}
+      tolerance_(tolerance_of(depth_fraction)) {}
 
 bool WindowSweep::agrees(unsigned depth, unsigned observed) const {
     return depth < near_limit_ && (depth > observed ? depth - observed : observed - depth) <= tolerance_;
@@ -22,20 +22,11 @@ bool WindowSweep::agrees(unsigned depth, unsigned observed) const {
 void WindowSweep::sweep(std::size_t first, std::size_t count, std::uint16_t const* depth_buffer,
                         std::uint8_t const* edge, std::uint16_t const* observed_depth,
                         std::uint8_t const* observed_edge, SampleCounters& counters) const {
-    auto const side = static_cast<std::size_t>(window_);
-    std::size_t const end = first + count;
-    for (std::size_t at = first; at < end;) {
-        std::size_t const row = at / side;
-        std::size_t const row_end = std::min(end, (row + 1) * side);
-        if (row != 0 && row + 1 != side) {
-            std::size_t const from = std::max(at, row * side + 1);
-            std::size_t const to = std::min(row_end, (row + 1) * side - 1);
-            if (from < to)
-                sweep_row(to - from, depth_buffer + from, edge + (from - first), observed_depth + (from - first),
-                          observed_edge + (from - first), counters);
-        }
-        at = row_end;
-    }
+    each_compared_row(static_cast<std::size_t>(window_), first, count,
+                      [&](std::size_t /*row*/, std::size_t from, std::size_t to) {
+                          sweep_row(to - from, depth_buffer + from, edge + (from - first),
+                                    observed_depth + (from - first), observed_edge + (from - first), counters);
+                      });
 }
 
 /// Counts every pixel as if it were no edge, which vectorizes, and corrects the few that are.

@@ -36,7 +36,7 @@ estimation::BoxFit fit_of(estimation::Scene const& scene, estimation::Particle c
 
 bool counts_hidden(RunConfig const& config) {
     return estimator_of(config).backend == EstimatorBackend::accelerator &&
-           accelerator_of(config).inlier_unit.hidden == HiddenPixels::counted;
+           counts_hidden(accelerator_of(config).inlier_unit);
 }
 
 estimation::TermSettings term_settings_of(RunConfig const& config) {

@@ -30,7 +30,7 @@ class CounterScorer::Worker {
         reference::Scorer scorer = config_.flow == Flow::fpga_grip
                                        ? reference::Scorer(stimulus_, config_.edge_extraction)
                                        : reference::Scorer(stimulus_, config_.edge_map);
-        if (config_.inlier_unit.hidden == HiddenPixels::counted)
+        if (counts_hidden(config_.inlier_unit))
             scorer.count_hidden();
         for (std::size_t i = first; i < end; ++i)
             counters[i] = scorer.run(i);

@@ -182,7 +182,7 @@ TwinSettings twin_settings(AcceleratorConfig const& config, Machine const& machi
     settings.edge_map_clears_on_read_out = config.edge_map.clearing == MapClearing::on_read_out;
     settings.inlier_unit_clears_on_read_out = config.inlier_unit.clearing == MapClearing::on_read_out;
     settings.has_line_buffers = config.inlier_unit.neighbour_access == NeighbourAccess::window;
-    settings.counts_hidden = config.inlier_unit.hidden == HiddenPixels::counted;
+    settings.counts_hidden = counts_hidden(config.inlier_unit);
     settings.is_flattened = config.inlier_unit.fragment_loop == FragmentLoop::flattened;
     settings.reciprocals_squeeze = machine.fifos[machine.fifo("area_reciprocal")].when_full == WhenFull::squeeze;
     settings.area_reciprocal_interval =

@@ -204,14 +204,14 @@ class TimelineWriter {
             add_slice(lanes.take(sample.begin, sample.end), fmt::format("sample {}", sample.sample), "sample",
                       sample.begin, sample.end,
                       fmt::format(R"("begin_cycle":{},"end_cycle":{},"sample":{},"complete":{})", sample.begin,
-                                  sample.end, sample.sample, sample.complete));
+                                  sample.end - 1, sample.sample, sample.complete));
         for (std::size_t lane = 0; lane < lanes.count(); ++lane)
             name("thread_name", lane, lane == 0 ? "samples" : fmt::format("samples {}", lane + 1));
         return lanes.count();
     }
     void add_span(CoreTimeline const& timeline, std::size_t track, TimelineSpan const& span) {
         bool const is_loop = span.kind == TimelineSpan::Kind::loop;
-        std::string const cycles = fmt::format(R"("begin_cycle":{},"end_cycle":{},"{}":{})", span.begin, span.end,
+        std::string const cycles = fmt::format(R"("begin_cycle":{},"end_cycle":{},"{}":{})", span.begin, span.end - 1,
                                                is_loop ? "iterations" : "stalled_cycles", span.count);
         if (is_loop)
             return add_slice(track, timeline.machine->loops[span.item].name, "loop", span.begin, span.end, cycles);

@@ -55,23 +55,6 @@ std::size_t widest_key(std::vector<Sensitivity> const& rows) {
     return widest;
 }
 
-std::string slack_text(RunStatistics const& run) {
-    std::string text = "\nSlack: how far one key alone may go without costing a cycle\n";
-    std::size_t const width = widest_key(run.sensitivities);
-    text += fmt::format(line_format, "key", width, "value", "down to", "up to");
-    std::size_t tight = 0;
-    for (Sensitivity const& row : run.sensitivities) {
-        if (row.down.slack->change == 0 && row.up.slack->change == 0) {
-            ++tight;
-            continue;
-        }
-        text += fmt::format(line_format, row.key, width, row.value, slack_cell(row, -1, *row.down.slack),
-                            slack_cell(row, 1, *row.up.slack));
-    }
-    text += fmt::format("  {} {} no slack.\n", tight, tight == 1 ? "key has" : "keys have");
-    return text;
-}
-
 /// Of either step, in cycles, whether won or lost; a deadlock is told, but has none.
 std::int64_t effect_of(Sensitivity const& row, RunStatistics const& run) {
     std::int64_t largest = 0;
@@ -86,9 +69,20 @@ bool is_same_step(SensitivityStep const& a, SensitivityStep const& b) {
            a.total_cycles == b.total_cycles;
 }
 
+bool has_same_steps(Sensitivity const& a, Sensitivity const& b) {
+    return is_same_step(a.down, b.down) && is_same_step(a.up, b.up);
+}
+
+bool has_same_slack(Sensitivity const& a, Sensitivity const& b) {
+    auto const is_same = [](Slack const& one, Slack const& other) {
+        return one.change == other.change && one.end == other.end;
+    };
+    return is_same(*a.down.slack, *b.down.slack) && is_same(*a.up.slack, *b.up.slack);
+}
+
 /// The target of a loop and the interval of its dependence are two keys of one interval: where either step does the
 /// same, one row has both.
-void join_intervals(std::vector<Sensitivity>& rows) {
+template <class IsSame> void join_intervals(std::vector<Sensitivity>& rows, IsSame is_same) {
     std::string const target = ".ii";
     std::string const dependence = ".recurrence_ii";
     for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -96,11 +90,30 @@ void join_intervals(std::vector<Sensitivity>& rows) {
         Sensitivity const& second = rows[i];
         std::string const loop = first.key.substr(0, first.key.rfind('.'));
         if (first.key == loop + target && second.key == loop + dependence && first.value == second.value &&
-            is_same_step(first.down, second.down) && is_same_step(first.up, second.up)) {
+            is_same(first, second)) {
             first.key += ", " + dependence.substr(1);
             rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
         }
     }
+}
+
+std::string slack_text(RunStatistics const& run) {
+    std::string text = "\nSlack: how far one key alone may go without costing a cycle\n";
+    std::vector<Sensitivity> rows = run.sensitivities;
+    join_intervals(rows, has_same_slack);
+    std::size_t const width = widest_key(rows);
+    text += fmt::format(line_format, "key", width, "value", "down to", "up to");
+    std::size_t tight = 0;
+    for (Sensitivity const& row : rows) {
+        if (row.down.slack->change == 0 && row.up.slack->change == 0) {
+            ++tight;
+            continue;
+        }
+        text += fmt::format(line_format, row.key, width, row.value, slack_cell(row, -1, *row.down.slack),
+                            slack_cell(row, 1, *row.up.slack));
+    }
+    text += fmt::format("  {} {} no slack.\n", tight, tight == 1 ? "key has" : "keys have");
+    return text;
 }
 
 std::string cell(SensitivityStep const& step, RunStatistics const& run) {
@@ -165,7 +178,7 @@ std::string sensitivities_text(RunStatistics const& run) {
         return effect_of(a, run) > effect_of(b, run);
     });
     std::size_t const idle = run.sensitivities.size() - rows.size();
-    join_intervals(rows);
+    join_intervals(rows, has_same_steps);
     std::size_t const more = rows.size() > most_steps ? rows.size() - most_steps : 0;
     rows.resize(rows.size() - more);
     std::string text = fmt::format("\nSensitivities: change of the {} cycles by one step of one key, exact\n",

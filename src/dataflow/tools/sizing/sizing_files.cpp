@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/base/json.hpp"
 #include "dataflow/run/config/enum_names.hpp"
 #include "dataflow/run/config/idle_keys.hpp"
@@ -20,9 +21,7 @@ double percent_over(Cycles cycles, Cycles reference) {
                                 static_cast<double>(reference);
 }
 
-std::string cycles_text(Cycles cycles) {
-    return cycles == Cut::deadlock ? std::string("deadlock") : fmt::format("{}", cycles);
-}
+std::string cycles_text(Cycles cycles) { return cycles == Cut::deadlock ? std::string("deadlock") : grouped(cycles); }
 
 std::string change_text(Cycles cycles, Cycles reference) {
     return cycles == Cut::deadlock ? std::string("-") : fmt::format("{:+.3f} %", percent_over(cycles, reference));
@@ -80,7 +79,7 @@ std::string remark(Sizing const& sizing) {
 
 std::string head(Sizing const& sizing) {
     std::string text = fmt::format("Cheapest FIFOs within {} % of unbounded ones: at most {} cycles\n\n",
-                                   sizing.options.within_percent, sizing.bound);
+                                   sizing.options.within_percent, grouped(sizing.bound));
     text += fmt::format("  {:<11}{:>14} {:>12} {:>14}  per core, {} {}\n", "FIFOs", "total cycles", "change",
                         "cost [LUT-eq]", sizing.machine.cores, sizing.machine.cores == 1 ? "core" : "cores alike");
     text += choice_line("unbounded", sizing.unbounded, sizing);
@@ -134,7 +133,8 @@ std::string front(Sizing const& sizing) {
         "cost [LUT-eq]", "total cycles", "change");
     for (FrontPoint const& point : sizing.front)
         fmt::format_to(std::back_inserter(text), "  {:>14.1f}{:>15} {:>12}  {}{}\n", point.cost,
-                       point.found.total_cycles, change_text(point.found.total_cycles, sizing.unbounded.total_cycles),
+                       grouped(point.found.total_cycles),
+                       change_text(point.found.total_cycles, sizing.unbounded.total_cycles),
                        primitives_text(point.primitives), point.found.is_proven ? "" : " (not proven)");
     return text;
 }

@@ -94,10 +94,10 @@ class KeyControl {
     ["down", "up"].forEach((side, i) => {
       const step = sensitivity && sensitivity[side];
       const button = this.steps[i];
-      const sign = side === "up" ? "+1" : "−1";
+      const sign = side === "up" ? "one more" : "one less";
       button.disabled = step ? step.outcome === "invalid" : this.row.kind !== "integer";
-      button.textContent = !step ? (this.row.kind === "integer" ? sign : "") : step.outcome === "finished" ? signed(step.change_cycles) : step.outcome;
-      button.title = !step ? "" : `${sign}: ${button.textContent}${step.outcome === "finished" ? " cycles" : ""}`;
+      button.textContent = !step ? (this.row.kind === "integer" ? (side === "up" ? "▸" : "◂") : "") : step.outcome === "finished" ? signed(step.change_cycles) : step.outcome;
+      button.title = !step ? sign : `${sign}: ${button.textContent}${step.outcome === "finished" ? " cycles" : ""}`;
       button.className = "step " + (!step ? "" : step.outcome === "deadlock" || step.change_cycles > 0 ? "worse" : step.change_cycles < 0 ? "better" : "");
     });
   }

@@ -28,7 +28,8 @@ function show_headline(figures, pinned) {
       is_over && figures.milliseconds > pinned.milliseconds),
     area("LUTs of a core's FIFOs", (f) => f.area.luts, whole),
     area("RAMB36 of a core's FIFOs", (f) => f.area.ramb36, (value) => decimal(value, 1)),
-    area("RAMB36 of its memories", (f) => f.area.memories_ramb36, (value) => decimal(value, 1)));
+    area("RAMB36 of its memories", (f) => f.area.memories_ramb36, (value) => decimal(value, 1)),
+    area("LUT-equivalents of all cores", (f) => f.area.cost_of_cores, whole));
 }
 
 /// A row per figure that differs: {what, figure, before, now}.

@@ -49,7 +49,7 @@ class Sizing {
 
   show(sizing, base) {
     const { answer } = sizing;
-    this.say(`${whole(answer.total_cycles)} cycles for ${whole(answer.cost_luts)} LUT-equivalents a core (${whole(answer.luts)} LUTs and ${decimal(answer.ramb36, 1)} RAMB36), ` +
+    this.say(`${whole(answer.total_cycles)} cycles for ${whole(answer.cost_luts)} LUT-equivalents a core (${whole(answer.luts)} LUTs and ${decimal(answer.ramb36, 1)} RAMB36), ${whole(answer.cost_of_cores)} for all cores with their memories; ` +
       `at most ${whole(sizing.bound_cycles)} allowed; ${sizing.proven ? "proven: nothing below that keeps the bound." : `not proven to be the cheapest, but: nothing below ${whole(sizing.least_cost_luts)} LUT-equivalents keeps the bound.`}`);
     const take = element("button", { type: "button", id: "take-sizing" }, "take these depths");
     take.addEventListener("click", () => this.found(this.overrides_of_depths(answer.depths)));

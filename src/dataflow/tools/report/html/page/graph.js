@@ -13,6 +13,7 @@ function curve_path({ points, tip }) {
   return `M${first}C${rest.join(" ")}` + (tip ? `L${tip[0]} ${tip[1]}` : "");
 }
 
+const least_scale = 0.86; // of text that can be read
 const graph_margin = 4;
 
 /// What the graph shows besides its parts: `modules` with their cycles, `fifos` summed over cores, `lane_cycles` of each
@@ -44,7 +45,7 @@ class DataflowGraph {
       viewBox: `${-graph_margin} ${-graph_margin} ${layout.width + 2 * graph_margin} ${layout.height + 2 * graph_margin}`, role: "group", "aria-label": "Dataflow graph", class: "graph",
     });
     svg.style.maxWidth = `${Math.round(layout.width * 1.5)}px`;
-    svg.style.minWidth = `${Math.round(layout.width + 2 * graph_margin)}px`;
+    svg.style.minWidth = `${Math.round(least_scale * (layout.width + 2 * graph_margin))}px`;
     for (const memory of data.graph.memories) this.add_links(svg, layout, memory);
     for (const name of Object.keys(layout.edges)) if (name.startsWith("memory:")) this.add_link(svg, layout.edges[name]);
     for (const fifo of data.graph.fifos) this.add_fifo(svg, layout, fifo);

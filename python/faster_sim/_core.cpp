@@ -22,6 +22,7 @@
 #include "dataflow/run/events/retimed_config.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/retime_many.hpp"
+#include "dataflow/run/replay/retime_with_path.hpp"
 #include "dataflow/run/replay/scripted_run.hpp"
 #include "dataflow/run/replay/sensitivities.hpp"
 #include "dataflow/tools/report/csv.hpp"
@@ -137,10 +138,12 @@ class Events {
         return "{" + text + "}";
     }
 
-    Retimed retime(Overrides const& overrides) const {
+    Retimed retime(Overrides const& overrides, bool critical_path) const {
         py::gil_scoped_release const others_may_run;
         LoadedConfig loaded = events::retimed_config(file_.loaded, overrides);
-        RunStatistics run = replay::retime(scripted_, machine_of(loaded.config));
+        Machine const machine = machine_of(loaded.config);
+        RunStatistics run =
+            critical_path ? replay::retime_with_path(scripted_, machine) : replay::retime(scripted_, machine);
         return {std::move(loaded), std::move(run)};
     }
 
@@ -228,7 +231,7 @@ PYBIND11_MODULE(_core, module) {
         .def_property_readonly("path", &Events::path)
         .def_property_readonly("config", &Events::config)
         .def_property_readonly("recorded_summary", &Events::recorded_summary)
-        .def("retime", &Events::retime, py::arg("overrides"))
+        .def("retime", &Events::retime, py::arg("overrides"), py::arg("critical_path"))
         .def("retime_many", &Events::retime_many, py::arg("list"), py::arg("progress"))
         .def("sensitivities", &Events::sensitivities, py::arg("overrides"), py::arg("progress"))
         .def("size_fifos", &Events::size_fifos, py::arg("overrides"), py::arg("within_percent"),

@@ -32,7 +32,7 @@ class Retimer(Protocol):
 
     def config(self) -> dict[str, Any]: ...
     def summary(self) -> dict[str, Any]: ...
-    def retime(self, overrides: list[str]) -> Result: ...
+    def retime(self, overrides: list[str], critical_path: bool = False) -> Result: ...
     def retime_many(self, rows: list[list[str]], progress: Optional[Progress]) -> list[Retimed]: ...
     def sensitivities(self, overrides: list[str], progress: Optional[Progress]) -> str: ...
     def size_fifos(self, overrides: list[str], within_percent: float, front_points: int, jobs: int,
@@ -73,9 +73,9 @@ class Events:
         """summary.json of the recorded run."""
         return self._retimer.summary()
 
-    def whatif(self, values: Mapping[str, object] = {}, /, **more: object) -> Result:
+    def whatif(self, values: Mapping[str, object] = {}, /, *, critical_path: bool = False, **more: object) -> Result:
         """What the run would have taken with other values of some keys. DeadlockError if it would have got stuck."""
-        return self._retimer.retime(_values.overrides({**values, **more}))
+        return self._retimer.retime(_values.overrides({**values, **more}), critical_path)
 
     def whatif_matrix(self, configurations: Sequence[Mapping[str, object]], *, progress: Optional[Progress] = None) -> Table:
         """A row for each configuration, on all host cores: the keys that any of them names, `status` (done, deadlock, or
@@ -124,8 +124,8 @@ class _InProcess:
     def summary(self) -> dict[str, Any]:
         return dict(json.loads(self._core.recorded_summary))
 
-    def retime(self, overrides: list[str]) -> Result:
-        retimed = self._core.retime(overrides)
+    def retime(self, overrides: list[str], critical_path: bool = False) -> Result:
+        retimed = self._core.retime(overrides, critical_path)
         if retimed.deadlock_report:
             raise DeadlockError(retimed.deadlock_report, json.loads(retimed.summary))
         return Result(retimed.total_cycles, retimed.milliseconds, lambda name: str(getattr(retimed, name)))
@@ -154,10 +154,11 @@ class _ByProgram:
     def summary(self) -> dict[str, Any]:
         return self._recorded.summary
 
-    def retime(self, overrides: list[str]) -> Result:
+    def retime(self, overrides: list[str], critical_path: bool = False) -> Result:
         with tempfile.TemporaryDirectory(prefix="faster-sim-") as temporary:
             folder = Path(temporary) / "whatif"
-            ended = _program.call(self._program, ["whatif", self._path, "--out", str(folder), *_as_options(overrides)])
+            ended = _program.call(self._program, ["whatif", self._path, "--out", str(folder), *(["--critical-path"] if critical_path else []),
+                                                  *_as_options(overrides)])
             return result_in(folder, ended)
 
     def retime_many(self, rows: list[list[str]], progress: Optional[Progress]) -> list[Retimed]:

@@ -57,7 +57,7 @@ class Result:
 
     @cached_property
     def critical_path(self) -> Table:
-        """Where the cycles of the total passed, the most first. Of run(..., critical_path=True)."""
+        """Where the cycles of the total passed, the most first. Of run(..., critical_path=True), and whatif likewise."""
         return _tables.of_rows(self._asked("critical_path")["rows"])
 
     @cached_property

@@ -55,6 +55,31 @@ TEST_CASE("Sensitivities are what runs with the changed keys find") {
     CHECK(workspace.text("lockstep/sensitivities.csv") == workspace.text("out/sensitivities.csv"));
 }
 
+TEST_CASE("A recorded run is asked for critical path and sensitivities with other keys") {
+    SmallWorkspace const workspace;
+    require_done(workspace.run({"--events", "events"}));
+    std::string const other = "accelerator.brams.depth_buffer.ports=4";
+    require_done(workspace.run({"--critical-path", "--sensitivities", "--out", "run", "--set", other}));
+    auto const tool = [&](std::vector<std::string> const& words) {
+        require_done(run_command(FASTER_SIM_BINARY, words, workspace.folder().path()));
+    };
+    tool({"whatif", "events", "--critical-path", "--set", other, "--out", "whatif"});
+    CHECK(workspace.summary("whatif")["critical_path"] == workspace.summary("run")["critical_path"]);
+    tool({"sensitivities", "events", "--set", other, "--json", "steps.json"});
+    Json const steps = Json::parse(workspace.text("steps.json"));
+    Json const of_run = workspace.summary("run")["sensitivities"];
+    CHECK(steps["total_cycles"] == workspace.summary("run")["total_cycles"]);
+    REQUIRE(steps["sensitivities"].size() == of_run.size());
+    for (std::size_t i = 0; i < of_run.size(); ++i)
+        for (char const* step : {"down", "up"})
+            CHECK(steps["sensitivities"][i][step]["outcome"] == of_run[i][step]["outcome"]);
+    CommandResult const stuck =
+        run_command(FASTER_SIM_BINARY, {"sensitivities", "events", "--set", "accelerator.fifos.fragment_depth.depth=1"},
+                    workspace.folder().path());
+    CHECK(stuck.exit_code == 2);
+    CHECK_THAT(stuck.err, Contains("with these settings the run deadlocks in cycle "));
+}
+
 TEST_CASE("A deadlocked run has neither critical path nor sensitivities") {
     SmallWorkspace const workspace;
     CommandResult const result = workspace.run(

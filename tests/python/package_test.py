@@ -105,12 +105,20 @@ class PackageTest(unittest.TestCase):
         self.assertEqual(table["total_cycles"].tolist()[0], None)
         self.assertEqual(table["milliseconds"].tolist()[0], None)
         self.assertEqual(table["total_cycles"].argmin(), 1)
+        self.assertEqual(numpy.asarray(table["total_cycles"]).argmin(), 1)  # nothing lies under the mask
         everywhere = self.events.whatif_matrix([STUCK])
         self.assertEqual((everywhere["total_cycles"].tolist(), everywhere["total_cycles"].dtype), ([None], numpy.int64))
         steps = self.events.sensitivities()
         stuck = steps[steps["status"] != "done"]
         self.assertGreater(len(stuck), 0)
         self.assertEqual(set(stuck["total_cycles"].tolist()), {None})
+
+    def test_a_whatif_has_a_critical_path_if_asked_for(self) -> None:
+        other = {"accelerator.brams.depth_buffer.ports": 4}
+        path = self.events.whatif(other, critical_path=True).critical_path
+        run = faster_sim.run(CONFIG, critical_path=True, **SMALL, **other)
+        self.assertEqual(path.tolist(), run.critical_path.tolist())
+        self.assertEqual(sum(path["cycles"]), run.total_cycles)
 
     def test_bad_input_is_said_in_the_tool_s_line(self) -> None:
         with self.assertRaisesRegex(faster_sim.InputError, "did you mean accelerator.raster_cores"):

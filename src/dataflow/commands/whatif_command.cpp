@@ -25,6 +25,7 @@
 #include "dataflow/run/events/retimed_config.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/retime_many.hpp"
+#include "dataflow/run/replay/retime_with_path.hpp"
 #include "dataflow/tools/compare/compare.hpp"
 #include "dataflow/tools/compare/comparison_report.hpp"
 #include "dataflow/tools/compare/read_run.hpp"
@@ -44,6 +45,7 @@ struct WhatifRequest {
     std::string matrix;                  ///< file of configurations; empty: only the one
     std::string csv;                     ///< file, for the matrix; empty: print only
     std::int64_t top = 3;                ///< rows per list of the comparison
+    bool critical_path = false;          ///< of the other timing
     bool full = false;                   ///< prints the report of the other timing as well
     bool force = false;                  ///< however long it takes, whatever memory there is
 };
@@ -74,7 +76,9 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
     Machine const machine = machine_of(changed.config);
     announce(size_of_retimings("whatif", recorded.run, machine, 1), request.force);
     auto const start = std::chrono::steady_clock::now();
-    RunStatistics run = replay::retime(recorded.run, machine);
+    RunStatistics run = request.critical_path
+                            ? replay::retime_with_path({recorded.run, recorded.run.lead(machine)}, machine)
+                            : replay::retime(recorded.run, machine);
     run.warnings = recorded_warnings(recorded);
     host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (run.deadlocked()) {
@@ -182,6 +186,10 @@ Subcommand whatif_command() {
                     ->type_name("N")
                     ->capture_default_str()
                     ->check(CLI::Range(0, 1000000));
+                command
+                    .add_flag("--critical-path", request->critical_path,
+                              "Trace along which operations the total comes about, for --out and --full")
+                    ->excludes("--matrix");
                 command.add_flag("--full", request->full, "Print the report of run as well")->excludes("--matrix");
                 add_force(command, request->force);
                 return [request] { return whatif(*request); };

@@ -14,10 +14,9 @@
 #include "dataflow/run/config/run_config.hpp"
 #include "dataflow/run/events/retimed_config.hpp"
 #include "dataflow/run/figures/table_rows.hpp"
-#include "dataflow/run/replay/critical_path_of.hpp"
 #include "dataflow/run/replay/outcomes.hpp"
 #include "dataflow/run/replay/retime.hpp"
-#include "dataflow/run/replay/retime_together.hpp"
+#include "dataflow/run/replay/retime_with_path.hpp"
 #include "dataflow/run/replay/sensitivities.hpp"
 #include "dataflow/tools/explore/replayed_timeline.hpp"
 #include "dataflow/tools/report/critical_path_report.hpp"
@@ -211,13 +210,6 @@ Json figures_json(RunStatistics const& run) {
     return figures;
 }
 
-/// The core whose last sample ends last, the first of them.
-std::size_t last_core(RunStatistics const& run) {
-    auto const ends_before = [](CoreStatistics const& a, CoreStatistics const& b) { return a.end_cycle < b.end_cycle; };
-    return static_cast<std::size_t>(std::max_element(run.cores.begin(), run.cores.end(), ends_before) -
-                                    run.cores.begin());
-}
-
 }  // namespace
 
 Exploration::Exploration(std::string title, LoadedConfig recorded, replay::RecordedRun run, Require require,
@@ -295,26 +287,10 @@ Json Exploration::retimed(Overrides const& overrides) {
     return figures;
 }
 
-/// With its critical path, unless it deadlocks.
-RunStatistics Exploration::retimed_with_path(Machine const& machine) const {
-    if (run_.memory)
-        return replay::retime_together(scripted_, machine, true);
-    RunStatistics run = replay::retime(scripted_, machine);
-    if (run.deadlocked())
-        return run;
-    std::size_t const core = last_core(run);
-    replay::CoreOptions options;
-    options.leave_trails = true;
-    replay::Cores const cores = replay::retime_cores(scripted_, machine, {core}, options);
-    run.critical_path = replay::critical_path_of({cores.front().get()}, machine);
-    run.critical_path->core = core;
-    return run;
-}
-
 Json Exploration::critical_path(Overrides const& overrides) {
     if (auto const other = other_run(overrides))
         return other->critical_path({});
-    RunStatistics const run = retimed_with_path(machine_of(changed(overrides)));
+    RunStatistics const run = replay::retime_with_path(scripted_, machine_of(changed(overrides)));
     return run.critical_path ? report::critical_path_json(run) : Json();
 }
 

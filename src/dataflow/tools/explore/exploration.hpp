@@ -53,7 +53,6 @@ class Exploration {
   private:
     std::shared_ptr<Exploration> other_run(Overrides const& overrides);
     RunConfig changed(Overrides const& overrides) const;
-    RunStatistics retimed_with_path(Machine const& machine) const;
     std::shared_ptr<RunStatistics const> retimed_run(Overrides const& overrides);
 
     std::string title_;

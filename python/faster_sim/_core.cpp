@@ -1,18 +1,21 @@
-// What re-times recorded runs in the process of Python. Simulations are processes of their own (_program.py): SystemC
-// can elaborate one design per process.
+// What re-times recorded runs in the process of Python. Simulations are processes of their own (_program.py): SystemC can
+// elaborate one design per process.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
 #include <atomic>
 #include <chrono>
 #include <fmt/format.h>
 #include <future>
 #include <memory>
 #include <optional>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
 #include <string>
 #include <systemc>
 #include <utility>
 #include <vector>
 
+#include "tb/program_commit.hpp"
+#include "faster/dataflow_names.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/made_by.hpp"
 #include "dataflow/base/on_threads.hpp"
@@ -31,13 +34,13 @@
 #include "dataflow/tools/report/summary.hpp"
 #include "dataflow/tools/report/text_report.hpp"
 #include "dataflow/tools/sizing/sizing_files.hpp"
-#include "faster/dataflow_names.hpp"
-#include "tb/program_commit.hpp"
 
 namespace py = pybind11;
 
 /// The SystemC library brings main(), which nobody calls here.
-PYBIND11_EXPORT int sc_main(int, char**) { return 1; }
+PYBIND11_EXPORT int sc_main(int, char**) {
+    return 1;
+}
 
 namespace faster::python {
 namespace {
@@ -48,8 +51,8 @@ using Row = std::pair<std::optional<Cycles>, double>;
 
 struct Cancelled {};
 
-/// Work in a thread of its own, so that Python's main thread can tell its progress and notice Ctrl-C, which it throws
-/// as KeyboardInterrupt once the work has stopped.
+/// Work in a thread of its own, so that Python's main thread can tell its progress and notice Ctrl-C, which it throws as
+/// KeyboardInterrupt once the work has stopped.
 class Work {
   public:
     /// Called by the work, from any of its threads.
@@ -92,8 +95,8 @@ class Work {
         }
         if (!progress || all_ == 0)
             return;
-        PyObject* const answer =
-            PyObject_CallFunction(progress->ptr(), "nn", static_cast<Py_ssize_t>(done_), static_cast<Py_ssize_t>(all_));
+        PyObject* const answer = PyObject_CallFunction(progress->ptr(), "nn", static_cast<Py_ssize_t>(done_),
+                                                       static_cast<Py_ssize_t>(all_));
         is_cancelled_ = answer == nullptr;
         Py_XDECREF(answer);
     }

@@ -157,8 +157,8 @@ class _ByProgram:
     def retime(self, overrides: list[str], critical_path: bool = False) -> Result:
         with tempfile.TemporaryDirectory(prefix="faster-sim-") as temporary:
             folder = Path(temporary) / "whatif"
-            ended = _program.call(self._program, ["whatif", self._path, "--out", str(folder), *(["--critical-path"] if critical_path else []),
-                                                  *_as_options(overrides)])
+            path = ["--critical-path"] if critical_path else []
+            ended = _program.call(self._program, ["whatif", self._path, "--out", str(folder), *path, *_as_options(overrides)])
             return result_in(folder, ended)
 
     def retime_many(self, rows: list[list[str]], progress: Optional[Progress]) -> list[Retimed]:

@@ -57,9 +57,9 @@ def of_cells(cells: Sequence[Any], if_empty: Any = float) -> numpy.ma.MaskedArra
     array = numpy.array(there) if there else numpy.empty(0, dtype=if_empty)
     if array.ndim != 1 or array.dtype.hasobject or (array.dtype.kind == "U" and not all(isinstance(cell, str) for cell in there)):
         array = numpy.array([str(cell) for cell in there])
-    # What lies under the mask is nothing that a search for the least would pick.
-    nothing = {"i": lambda: numpy.iinfo(array.dtype).max, "f": lambda: numpy.nan}.get(array.dtype.kind)
-    values = numpy.full(len(cells), nothing(), dtype=array.dtype) if nothing else numpy.zeros(len(cells), dtype=array.dtype)
+    values = numpy.zeros(len(cells), dtype=array.dtype)
+    if array.dtype.kind in "if":  # what lies under the mask is nothing that a search for the least would pick
+        values[:] = numpy.nan if array.dtype.kind == "f" else numpy.iinfo(array.dtype).max
     values[[not masked for masked in mask]] = array
     return numpy.ma.array(values, mask=mask)
 

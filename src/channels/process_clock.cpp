@@ -491,9 +491,10 @@ void ProcessClock::wait_for_tokens(FifoChannel& fifo) {
         if (collected_.has(port))
             others = others | timing::Ports::of(port);
     });
-    for (Taking const& taking : takings_)
-        if (collecting_ && is_held_ && taking.step == step_of_read(fifo))
-            others = others | taking.reads;
+    if (collecting_ && is_held_)
+        for (Taking const& taking : takings_)
+            if (taking.step == step_of_read(fifo))
+                others = others | taking.reads;
     timing_.set_starving_with(others);
     timing_.note_site(fifo.read_port().first(), site_);
     fifo.reader_waits_ = true;

@@ -26,6 +26,13 @@ void LiveFunction::run() {
 /// Meanwhile other functions may have run.
 void LiveFunction::go_on() { untimed::observer = this; }
 
+/// Outside loops it has a state of its own.
+void LiveFunction::end_access() {
+    if (where_ == Where::outside)
+        clock_.advance(1);
+    go_on();
+}
+
 /// It only says where others end: the description does not have it.
 bool LiveFunction::is_around(LoopMark const& loop) const {
     Machine const& machine = core_.machine();
@@ -83,17 +90,13 @@ void LiveFunction::ends_iteration(LoopMark const& loop) noexcept {
 void LiveFunction::reads(StreamBase& stream) {
     come_to_access();
     core_.stream_fifo(stream.number()).read();
-    if (where_ == Where::outside)
-        clock_.advance(1);
-    go_on();
+    end_access();
 }
 
 void LiveFunction::wrote(StreamBase& stream) {
     come_to_access();
     core_.stream_fifo(stream.number()).write(stream.shown_last());
-    if (where_ == Where::outside)
-        clock_.advance(1);
-    go_on();
+    end_access();
 }
 
 bool LiveFunction::attempts(StreamBase const& stream, Attempt const& attempt) {
@@ -102,9 +105,7 @@ bool LiveFunction::attempts(StreamBase const& stream, Attempt const& attempt) {
     else
         come_to_access();
     bool const is_found = find(core_.stream_fifo(stream.number()), attempt);
-    if (where_ == Where::outside)
-        clock_.advance(1);
-    go_on();
+    end_access();
     return is_found;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <optional>
 
 #include "channels/process_clock.hpp"
 #include "hls/hls_design.hpp"
@@ -41,6 +40,7 @@ class LiveFunction final : public untimed::Observer {
     void come_to_access();
     void leave_loop();
     void go_on();
+    void end_access();
     bool find(ClockedFifo<std::int64_t>& fifo, untimed::Attempt const& attempt) const;
 
     HlsCore& core_;

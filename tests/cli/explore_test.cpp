@@ -4,7 +4,7 @@
 
 #include "dataflow/base/cycles.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/explore_process.hpp"
+#include "support/explore_questions.hpp"
 #include "support/report_page.hpp"
 #include "support/small_workspace.hpp"
 #include "support/tool_output.hpp"
@@ -27,15 +27,9 @@ class Explored {
 
     std::filesystem::path const& folder() const { return workspace_.folder().path(); }
     ExploreProcess& process() { return *process_; }
-    httplib::Result post(std::string const& path, std::string const& body) {
-        return httplib::Client("127.0.0.1", process_->port()).Post(path, body, "application/json");
-    }
+    httplib::Result post(std::string const& path, std::string const& body) { return post_to(*process_, path, body); }
     Json ask(std::string const& question, Json const& request, int status = 200) {
-        httplib::Result const result = post(process_->home() + question, request.dump());
-        REQUIRE(result);
-        CAPTURE(result->body);
-        CHECK(result->status == status);
-        return Json::parse(result->body);
+        return faster::test::ask(*process_, question, request, status);
     }
     /// The state of a job once it has ended.
     Json ended(std::string const& job) {
@@ -196,22 +190,17 @@ TEST_CASE("The critical path of cores that share a memory is that of a run") {
     require_done(workspace.run(run));
     explore.insert(explore.begin(), "config.yaml");
     ExploreProcess const process(FASTER_SIM_BINARY, explore, workspace.folder().path());
-    httplib::Client client("127.0.0.1", process.port());
-    CHECK(Json::parse(client.Post(process.home() + "path", "{}", "application/json")->body) ==
-          workspace.summary("run")["critical_path"]);
+    CHECK(ask(process, "path", Json::object()) == workspace.summary("run")["critical_path"]);
 }
 
 TEST_CASE("explore runs a configuration first, and a deadlock is something that it shows") {
     SmallWorkspace const workspace;
     ExploreProcess process(FASTER_SIM_BINARY, {"config.yaml", "--set", "accelerator.raster_cores=1"},
                            workspace.folder().path());
-    auto const retimed = [&](char const* request) {
-        httplib::Client client("127.0.0.1", process.port());
-        return Json::parse(client.Post(process.home() + "retime", request, "application/json")->body);
-    };
-    CHECK(retimed("{}")["cores"] == 1);
-    CHECK(retimed("{}")["outcome"] == "finished");
-    Json const deadlock = retimed(R"({"set": ["accelerator.fifos.fragment_depth.depth=1"]})");
+    auto const retimed = [&](Json const& request) { return ask(process, "retime", request); };
+    CHECK(retimed(Json::object())["cores"] == 1);
+    CHECK(retimed(Json::object())["outcome"] == "finished");
+    Json const deadlock = retimed({{"set", Words{"accelerator.fifos.fragment_depth.depth=1"}}});
     CHECK(deadlock["outcome"] == "deadlock");
     CHECK(deadlock["deadlock"]["wait_cycle"].size() > 1);
     CHECK(process.interrupt() == 0);

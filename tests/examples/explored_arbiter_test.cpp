@@ -1,29 +1,22 @@
 // explore of a design whose accesses do not wait: where they would find something else, it runs the design again.
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <httplib.h>
-#include <nlohmann/json.hpp>
 
 #include "support/command.hpp"
-#include "support/explore_process.hpp"
+#include "support/explore_questions.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
 namespace explored_arbiter_test {
 
 using namespace faster::test;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
 class Explored {
   public:
-    Json ask(std::string const& question, Json const& request, int status = 200) {
-        httplib::Client client("127.0.0.1", process_.port());
-        httplib::Result const result = client.Post(process_.home() + question, request.dump(), "application/json");
-        REQUIRE(result);
-        CAPTURE(result->body);
-        CHECK(result->status == status);
-        return Json::parse(result->body);
+    Json ask(std::string const& question, Json const& request) {
+        return faster::test::ask(process_, question, request);
     }
     /// Of a run with that setting.
     std::uint64_t cycles(std::string const& setting) {

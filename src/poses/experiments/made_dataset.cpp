@@ -359,7 +359,7 @@ MadeScene made_scene(SceneWish const& wish, std::map<int, Mesh> const& meshes, C
 
 void make_dataset(fs::path const& folder, Setting const& setting, std::uint64_t seed, std::size_t jobs,
                   std::function<void(std::size_t, std::size_t)> const& progress) {
-    std::map<int, Mesh> meshes = scene_meshes(setting.models);
+    std::map<int, Mesh> meshes = scene_meshes(setting.models, jobs);
     for (std::string const& name : setting.objects)
         if (meshes.count(obj_id_of(name)) == 0)
             throw InputError(setting.models.string() + ": has no mesh of " + name + ", expected one called " + name +

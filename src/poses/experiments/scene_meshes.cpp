@@ -50,17 +50,18 @@ void move_to_middle(Mesh& mesh) {
 
 }  // namespace
 
-std::map<int, Mesh> scene_meshes(fs::path const& folder) {
+std::map<int, Mesh> scene_meshes(fs::path const& folder, std::size_t jobs) {
     std::map<int, Mesh> meshes;
     if (folder.empty()) {
         for (std::string const& name : ycb_classes())
             meshes[obj_id_of(name)] = models::make(name);
         return meshes;
     }
-    for (fs::path const& file : files_in(folder)) {
-        Mesh mesh = files::load_mesh(file);
-        move_to_middle(mesh);
-        meshes[obj_id_of_file(file)] = std::move(mesh);
+    std::vector<fs::path> const files = files_in(folder);
+    std::vector<Mesh> loaded = files::load_meshes(files, {}, jobs);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        move_to_middle(loaded[i]);
+        meshes[obj_id_of_file(files[i])] = std::move(loaded[i]);
     }
     return meshes;
 }

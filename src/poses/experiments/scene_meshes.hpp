@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <map>
 
@@ -8,7 +9,8 @@ namespace faster::experiments {
 
 /// What made scenes are made from, by obj_id: the built-in meshes, or those of a folder whose files are called like the
 /// classes, NAME.obj or 002_NAME.ply. They are moved so that their boxes have the origin in the middle.
-/// Errors: InputError for a folder that has none, and as load_mesh().
-std::map<int, Mesh> scene_meshes(std::filesystem::path const& folder);
+/// Files are read `jobs` at once.
+/// Errors: InputError for a folder that has none, and as load_meshes().
+std::map<int, Mesh> scene_meshes(std::filesystem::path const& folder, std::size_t jobs);
 
 }  // namespace faster::experiments

@@ -218,7 +218,7 @@ Exploration::Exploration(std::string title, LoadedConfig recorded, replay::Recor
       recorded_(std::move(recorded)),
       run_(std::move(run)),
       require_(std::move(require)),
-      run_again_(std::move(run_again)),
+      run_again_(makes_attempts(machine_of(recorded_.config)) ? std::move(run_again) : RunAgain()),
       scripted_(run_, run_.lead(machine_of(recorded_.config))) {}
 
 RunConfig Exploration::changed(Overrides const& overrides) const {
@@ -255,7 +255,7 @@ std::shared_ptr<RunStatistics const> Exploration::retimed_run(Overrides const& o
 /// The one that answers for overrides that the recorded run cannot be retimed with, as a non-blocking access would find
 /// something else. Null: this one answers.
 std::shared_ptr<Exploration> Exploration::other_run(Overrides const& overrides) {
-    if (!run_again_ || !makes_attempts(machine_of(recorded_.config)))
+    if (!run_again_)
         return nullptr;
     {
         std::lock_guard<std::mutex> const lock(mutex_);

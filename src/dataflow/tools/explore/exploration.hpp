@@ -59,7 +59,7 @@ class Exploration {
     LoadedConfig recorded_;
     replay::RecordedRun run_;
     Require require_;
-    RunAgain run_again_;
+    RunAgain run_again_;            ///< empty of a design without such accesses
     replay::ScriptedRun scripted_;  ///< of the run
 
     struct KeptRun {

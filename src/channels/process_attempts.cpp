@@ -129,6 +129,7 @@ bool ProcessClock::attempts(FifoChannel const& fifo, timing::Ports port, bool on
         tell_behind_attempt(port);
     if (!only_asks)
         attempted_ = attempted_ | port;
+    take_before(step);
     reach_step(step);
     take_before(step + 1);
     return decide(port, only_asks, 0);

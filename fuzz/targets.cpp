@@ -45,7 +45,7 @@ class Folder {
     Folder& operator=(Folder const&) = delete;
 
     fs::path write(char const* name, std::string_view bytes) const {
-        fs::path const file = path_ / name;
+        fs::path file = path_ / name;
         fs::create_directories(file.parent_path());
         std::ofstream(file, std::ios::binary | std::ios::trunc).write(bytes.data(), std::streamsize(bytes.size()));
         return file;

@@ -25,8 +25,10 @@
 #define FASTER_LOOP(name, states) FASTER_LOOP_MARK(name, states, states, false)
 #define FASTER_STATES(name, states) FASTER_LOOP_MARK(name, states, states, false)
 #else
+// NOLINTBEGIN(bugprone-macro-parentheses): the tool's pragma takes a number
 #define FASTER_PIPELINE_2(name, ii) FASTER_PRAGMA(HLS PIPELINE II = ii)
 #define FASTER_PIPELINE_3(name, ii, depth) FASTER_PRAGMA(HLS PIPELINE II = ii)
+// NOLINTEND(bugprone-macro-parentheses)
 #define FASTER_LOOP(name, states) FASTER_PRAGMA(HLS PIPELINE off)
 #define FASTER_STATES(name, states)
 #endif

@@ -341,7 +341,7 @@ HlsScript HlsCore::next_script(std::size_t process) {
 }
 
 Counters HlsCore::next_results() {
-    Counters const results = std::move(results_.front());
+    Counters results = std::move(results_.front());
     results_.pop_front();
     return results;
 }

@@ -116,6 +116,7 @@ template <class Design> class HlsCoreOf final : public HlsCore {
 }  // namespace dataflow
 
 /// The rest of a program for one design: its commands. Outside namespaces, once.
+// NOLINTBEGIN(bugprone-macro-parentheses): a class
 #define FASTER_HLS_PROGRAM(DesignClass, description)                                                                  \
     static ::dataflow::SimpleSimulation<::dataflow::HlsCoreOf<DesignClass>> const& faster_hls_program() {             \
         static ::dataflow::SimpleSimulation<::dataflow::HlsCoreOf<DesignClass>> const one(DesignClass::facts());      \
@@ -127,3 +128,4 @@ template <class Design> class HlsCoreOf final : public HlsCore {
         return ::dataflow::run_tool({DesignClass::facts().name, description, "1.0"}, ::dataflow::standard_commands(), \
                                     argc, argv);                                                                      \
     }
+// NOLINTEND(bugprone-macro-parentheses)

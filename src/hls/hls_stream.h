@@ -19,7 +19,7 @@ template <class Token> class stream<Token, 0> : public dataflow::untimed::Stream
     using Traits = dataflow::untimed::TokenTraits<Token>;
 
   public:
-    using value_type = Token;
+    using value_type = Token;  // NOLINT(readability-identifier-naming): as containers have it
 
     explicit stream(std::string name = {}) : StreamBase(std::move(name)) {}
 

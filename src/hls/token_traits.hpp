@@ -12,8 +12,6 @@ template <class Token> struct TokenTraits {
     static unsigned bits() {
         if constexpr (std::is_same_v<Token, bool>)
             return 1;
-        else if constexpr (std::is_integral_v<Token> || std::is_enum_v<Token>)
-            return 8 * sizeof(Token);
         else if constexpr (decltype(has_word_length<Token>(0))::value)
             return static_cast<unsigned>(Token().wl());
         else if constexpr (decltype(has_length<Token>(0))::value)
@@ -43,11 +41,11 @@ template <class Token> struct TokenTraits {
     }
 
   private:
-    template <class Any> static auto has_word_length(int) -> std::bool_constant<(sizeof(Any().wl()) > 0)>;
+    template <class Any> static auto has_word_length(int) -> decltype(Any().wl(), std::true_type());
     template <class Any> static std::false_type has_word_length(...);
-    template <class Any> static auto has_length(int) -> std::bool_constant<(sizeof(Any().length()) > 0)>;
+    template <class Any> static auto has_length(int) -> decltype(Any().length(), std::true_type());
     template <class Any> static std::false_type has_length(...);
-    template <class Any> static auto has_int64(int) -> std::bool_constant<(sizeof(Any().to_int64()) > 0)>;
+    template <class Any> static auto has_int64(int) -> decltype(Any().to_int64(), std::true_type());
     template <class Any> static std::false_type has_int64(...);
 };
 

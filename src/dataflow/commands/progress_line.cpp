@@ -1,5 +1,6 @@
 #include "dataflow/commands/progress_line.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <string>
@@ -58,7 +59,7 @@ std::string ProgressLine::time_left(std::uint64_t done, std::uint64_t all) const
         return "";
     double const seconds = std::chrono::duration<double>(HostClock::now() - start_).count();
     double const left = seconds / static_cast<double>(done - already_done_) * static_cast<double>(all - done);
-    return ", " + duration_text(static_cast<std::uint64_t>(left + 0.5)) + " left";
+    return ", " + duration_text(static_cast<std::uint64_t>(std::llround(left))) + " left";
 }
 
 }  // namespace dataflow

@@ -31,8 +31,10 @@ double bytes_of(Machine const& machine) {
         if (fifo.is_present)
             bytes += bytes_of_fifo_place * static_cast<double>(fifo.capacity());
     for (MachineMemory const& memory : machine.memories)
-        if (memory.is_present)
-            bytes += static_cast<double>(memory.words * memory.shape.buffers * ((memory.shape.bits + 7) / 8));
+        if (memory.is_present) {
+            std::uint64_t const bytes_of_word = (memory.shape.bits + 7) / 8;
+            bytes += static_cast<double>(memory.words * memory.shape.buffers * bytes_of_word);
+        }
     return bytes * static_cast<double>(machine.cores);
 }
 

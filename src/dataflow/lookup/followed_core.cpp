@@ -11,10 +11,10 @@ ProcessMask bit_of(unsigned process) { return ProcessMask{1} << process; }
 std::unique_ptr<PhraseCore> make_core() { return std::make_unique<FollowedCore>(); }
 std::shared_ptr<Answers> make_answers() { return std::make_shared<Automaton>(); }
 
-void FollowedCore::let_follow(Lead const& lead, std::shared_ptr<Answers> answers) {
+void FollowedCore::let_follow(Lead const& lead, std::shared_ptr<Answers> const& answers) {
     PhraseCore::let_follow(lead, answers);
     if (!lead.followers.empty())
-        automaton_ = std::static_pointer_cast<Automaton>(std::move(answers));
+        automaton_ = std::static_pointer_cast<Automaton>(answers);
 }
 
 void FollowedCore::complete_counters() {
@@ -119,6 +119,7 @@ bool FollowedCore::let_driver_go() {
 
 std::size_t Automaton::go_on(std::vector<PhraseCore*> const& cores) {
     std::vector<Walk*> walks;
+    walks.reserve(cores.size());
     for (PhraseCore* const core : cores)
         walks.push_back(&static_cast<FollowedCore&>(*core).walk());
     return go_on(walks);

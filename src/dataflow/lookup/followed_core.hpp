@@ -12,7 +12,7 @@ namespace dataflow::timing {
 class FollowedCore : public PhraseCore {
   public:
     /// The answers are an Automaton.
-    void let_follow(Lead const& lead, std::shared_ptr<Answers> answers) override;
+    void let_follow(Lead const& lead, std::shared_ptr<Answers> const& answers) override;
 
     void resume(ProcessMask processes) override;
     void take_up(Script& script) override;

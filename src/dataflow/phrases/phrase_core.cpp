@@ -2,7 +2,7 @@
 
 namespace dataflow::timing {
 
-void PhraseCore::let_follow(Lead const& lead, std::shared_ptr<Answers> /*answers*/) {
+void PhraseCore::let_follow(Lead const& lead, std::shared_ptr<Answers> const& /*answers*/) {
     if (!lead.followers.empty())
         lead_ = lead;
 }

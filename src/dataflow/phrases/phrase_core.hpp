@@ -26,7 +26,7 @@ class PhraseCore : public CoreTiming {
   public:
     /// Who sets the pace, and answers to be shared with cores of the same shape. A lead without followers has nothing
     /// to follow: the core stays as it is. Before anything has happened.
-    virtual void let_follow(Lead const& lead, std::shared_ptr<Answers> answers);
+    virtual void let_follow(Lead const& lead, std::shared_ptr<Answers> const& answers);
 
     /// From here on, does what a script says, which goes on where the logs end: what cannot be done yet is in the logs
     /// then. There must be a lead with followers. In parts, so that cores that share answers can take turns:

@@ -11,7 +11,8 @@ using Vector = std::array<std::int64_t, 3>;
 
 /// s18.15 of a row's or column's distance from the window's centre, per metre of depth; saturates.
 std::int64_t slope_code(int position, int window, double focal_length_px) {
-    double const code = std::floor((position - window / 2) / focal_length_px * 32768.0);
+    int const from_centre = position - window / 2;
+    double const code = std::floor(from_centre / focal_length_px * 32768.0);
     if (code > 131071.0) {
         return 131071;
     }

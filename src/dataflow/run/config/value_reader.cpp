@@ -194,6 +194,7 @@ class ValueReader {
 
     static std::vector<std::string> names_of(std::vector<ItemField> const& fields) {
         std::vector<std::string> names;
+        names.reserve(fields.size());
         for (ItemField const& field : fields) {
             names.push_back(field.text.name);
         }

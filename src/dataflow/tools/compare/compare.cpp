@@ -116,6 +116,7 @@ RunHead head_of(RunRecord const& run) {
 template <class Row, std::size_t N>
 std::vector<std::vector<std::string>> cells_of(Columns<Row, N> columns, std::vector<Row> const& rows) {
     std::vector<std::vector<std::string>> cells;
+    cells.reserve(rows.size());
     for (Row const& row : rows)
         cells.push_back(csv_cells(columns, row));
     return cells;

@@ -267,7 +267,7 @@ std::shared_ptr<Exploration> Exploration::other_run(Overrides const& overrides) 
         return nullptr;
     } catch (replay::OutcomeDiffers const&) {
         events::EventFile file = run_again_(exported_yaml(changed(overrides)));
-        auto const other = std::make_shared<Exploration>(title_, std::move(file.loaded), std::move(file.run), require_);
+        auto other = std::make_shared<Exploration>(title_, std::move(file.loaded), std::move(file.run), require_);
         std::lock_guard<std::mutex> const lock(mutex_);
         other_run_ = {overrides, other};
         return other;

@@ -56,6 +56,7 @@ std::uint32_t FstFile::table_of(std::vector<std::string> const& values, unsigned
             names.push_back(values[value].c_str());
         }
     std::vector<char const*> numbers;
+    numbers.reserve(digits.size());
     for (Digits const& number : digits)
         numbers.push_back(number.data());
     std::string const name = fmt::format("values_{}", tables_.size());

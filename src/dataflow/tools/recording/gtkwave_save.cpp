@@ -163,6 +163,7 @@ std::vector<std::filesystem::path> files_beside(std::filesystem::path const& wav
     if (names == ValueNames::in_tables)
         endings.insert(endings.end(), {".states.txt", ".stalls.txt"});
     std::vector<std::filesystem::path> files;
+    files.reserve(endings.size());
     for (char const* const ending : endings)
         files.push_back(std::filesystem::path(waveform).replace_extension(ending));
     return files;

@@ -99,6 +99,7 @@ std::optional<Draw> read_draw(Key const& key, MapEntry const& entry, ValueLists 
 
 std::vector<Cell> drawn_row(std::vector<KeyDraw> const& draws, Random& random) {
     std::vector<Cell> row;
+    row.reserve(draws.size());
     for (auto const& [key, draw] : draws)
         row.push_back(draw.kind == Draw::Kind::choice ? drawn_choice(draw, random)
                                                       : KeyCells::cell(*key, drawn_value(draw, random)));

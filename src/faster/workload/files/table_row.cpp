@@ -56,7 +56,7 @@ std::vector<double> TableRow::numbers(std::size_t column, std::size_t count) con
 }
 
 Eigen::Matrix3d TableRow::rotation(std::size_t column) const {
-    Eigen::Matrix3d const matrix = matrix_of(numbers(column, 9));
+    Eigen::Matrix3d matrix = matrix_of(numbers(column, 9));
     if (std::string const problem = rotation_problem(matrix); !problem.empty())
         fail(column, problem);
     return matrix;

@@ -178,6 +178,7 @@ class ProcessClock {
     void open_iteration(std::uint64_t iteration) {
         reach(iteration);
         collecting_ = true;
+        taken_ = timing::no_ports;
     }
     void close_iteration() {
         collecting_ = false;
@@ -283,7 +284,7 @@ class ProcessClock {
         if (is_pipelining_)
             require_first_stage(fifo);
         if (collected_.is_empty())
-            taken_ = timing::Ports();
+            taken_ = timing::no_ports;
         taken_ = taken_ | read_port_of(fifo);
     }
     /// Suspends the calling thread until the FIFO's other side may have done something; what for is told to deadlock

@@ -171,7 +171,7 @@ class CoreSimulation {
         bool has_accessed = false;
         Cycles empty = 0, full = 0, idle = 0;
         std::vector<Cycles> begins, ends;
-        std::string outcomes;               ///< of attempts
+        std::vector<std::string> outcomes;  ///< of attempts, by FIFO
         std::optional<std::size_t> master;  ///< in the memory
         Cycles memory = 0;
         bool is_done() const { return next == steps.size(); }
@@ -195,6 +195,7 @@ class CoreSimulation {
             OfProcess process;
             Program program = program_of(design, i, first, samples);
             process.steps = std::move(program.steps);
+            process.outcomes.resize(fifos.size());
             if (memory_ != nullptr && design.processes[i].port.is_there) {
                 process.master = memory_->add_master(number % design.memory.ports, design.processes[i].port.writes);
                 for (testing::TwinRanges const& ranges : program.entries)
@@ -335,7 +336,7 @@ class CoreSimulation {
             access(number, fifo);
         for (std::size_t const fifo : step.attempts) {
             bool const is_found = may_access(number, fifo);
-            process.outcomes += std::to_string(fifo) + (is_found ? "+" : "-");
+            process.outcomes[fifo] += is_found ? '+' : '-';
             if (is_found)
                 access(number, fifo);
         }
@@ -493,7 +494,7 @@ Figures simulated(Design const& design) {
             add_waits(design, core, cores[core], figures, latest);
         for (CoreSimulation::OfProcess const& process : cores[core].processes) {
             total = std::max(total, process.end);
-            figures.outcomes.push_back(process.outcomes);
+            figures.outcomes.insert(figures.outcomes.end(), process.outcomes.begin(), process.outcomes.end());
         }
     }
     if (figures.is_stuck) {

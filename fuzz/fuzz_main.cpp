@@ -21,6 +21,7 @@ int list_targets() {
 /// libsystemc has a main(), which would call it. The fuzzer has another.
 extern "C" int sc_main(int, char**) { return EXIT_FAILURE; }
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     std::string const option = "--target=";
     for (int i = 1; i < *argc; ++i) {
@@ -37,6 +38,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     return 0;
 }
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
     faster::fuzz::feed(*target, {reinterpret_cast<char const*>(data), size});
     return 0;

@@ -340,7 +340,7 @@ Outcome run_forked(Design const& design, Design const& other, faster::Engine eng
         bool is_sized = false;
         reader.get(is_sized);
         if (is_sized) {
-            outcome.sized.emplace();
+            outcome.sized = Outcome::Sized();
             reader.get(outcome.sized->depths);
             reader.get(outcome.sized->kinds);
             reader.get(outcome.sized->bound);

@@ -29,7 +29,7 @@ void add_tables(RunStatistics const& run, std::size_t core, std::vector<std::str
             process.sum() == run.total_cycles && std::all_of(process.cycles.begin(), process.cycles.end(),
                                                              [&](Cycles cycles) { return cycles <= run.total_cycles; });
         if (!adds_up)
-            lines.push_back("its classes do not add up to the total");
+            lines.emplace_back("its classes do not add up to the total");
     }
 }
 

@@ -90,7 +90,7 @@ TEST_CASE("Every estimate that is 2 cm off has a reason that its row of failures
         double const weight = std::stod(cells[6]), truth_weight = std::stod(cells[7]);
         double const add_mm = std::stod(cells[8]), adds_mm = std::stod(cells[9]);
         double const mssd_mm = std::stod(cells[10]);
-        std::string const reason = cells[11];
+        std::string const& reason = cells[11];
         CHECK(add_mm >= 20);
         CHECK((reason == "symmetry") == (adds_mm < 20 && mssd_mm < 20));
         CHECK((reason == "turned") == (adds_mm < 20 && mssd_mm >= 20));

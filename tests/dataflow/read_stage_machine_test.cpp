@@ -75,7 +75,7 @@ Cycles retimed_cycles(MachineSettings const& settings) {
 Keys keys_named(std::string const& field) {
     Keys keys = machine_keys(describe_cycle());
     auto const is_other = [&field](Key const& key) {
-        std::string const name = key.name();
+        std::string const& name = key.name();
         return name.size() < field.size() || name.compare(name.size() - field.size(), field.size(), field) != 0;
     };
     keys.erase(std::remove_if(keys.begin(), keys.end(), is_other), keys.end());

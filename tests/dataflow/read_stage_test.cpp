@@ -414,7 +414,7 @@ void check_same(Outcome const& timed, Outcome const& simulated) {
 }
 
 Outcome check_all_ways(Design const& design, std::mt19937& random) {
-    Outcome const simulated = Simulation(design).run();
+    Outcome simulated = Simulation(design).run();
     {
         INFO("at once");
         check_same(Timed(design).run_at_once(), simulated);

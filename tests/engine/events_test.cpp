@@ -110,7 +110,7 @@ void check_equal(RunStatistics const& retimed, RunStatistics const& run) {
 
 /// A small run's event file.
 std::filesystem::path small_file(test::TempFolder const& folder) {
-    std::filesystem::path const file = folder / "events";
+    std::filesystem::path file = folder / "events";
     record(AcceleratorConfig(), workload(0), Engine::decoupled, file);
     return file;
 }
@@ -185,6 +185,7 @@ std::vector<Operation::Code> said_by(std::vector<Operation> const& operations) {
 
 std::vector<Operation::Code> codes_of(std::vector<Operation> const& operations) {
     std::vector<Operation::Code> codes;
+    codes.reserve(operations.size());
     for (Operation const& operation : operations)
         codes.push_back(operation.code());
     return codes;

@@ -51,8 +51,9 @@ std::vector<double> random_margins(std::uint64_t seed) {
     std::vector<double> margins;
     for (std::size_t i = 0; i < count; ++i) {
         double const beyond = i < bend ? 0 : static_cast<double>(i - bend);
+        std::size_t const steps = i / 3;
         margins.push_back(std::floor(static_cast<double>(seed % 50) - std::pow(beyond, power) / 7) -
-                          step * static_cast<double>(i / 3) * 3);
+                          step * static_cast<double>(steps) * 3);
     }
     return margins;
 }

@@ -411,7 +411,7 @@ TEST_CASE("Ports and banks of the line buffer decide the convolution's pace", "[
             Words settings = memory.settings;
             settings.insert(settings.end(), {"workload.samples=1", "workload.rows=" + std::to_string(rows),
                                              "workload.cols=" + std::to_string(cols)});
-            auto const pixels = static_cast<std::uint64_t>(rows * cols);
+            auto const pixels = static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(cols);
             CHECK(example.cycles(settings) == memory.interval * (pixels - 1) + 12);
             CHECK_THAT(lines_of(example.text("out/samples.csv")).at(1), Catch::Matchers::EndsWith(",0"));  // none wrong
         }

@@ -88,8 +88,8 @@ TEST_CASE("What-if answers what a run of a published design would", "[examples]"
         std::string const name = program == "fifo_pair" ? "fifo_16" : program;
         fs::path const source = fs::path(FASTER_SOURCE_DIR) / "examples" / "published" / (name + ".yaml");
         Words const run{"run", source.string(), "--set", "workload.samples=5"};
-        auto const call = [&](Words arguments) {
-            return run_command(binaries.at(program), std::move(arguments), folder.path());
+        auto const call = [&folder, &binary = binaries.at(program)](Words const& arguments) {
+            return run_command(binary, arguments, folder.path());
         };
         Words recorded = run;
         recorded.insert(recorded.end(), {"--events", "events"});

@@ -263,6 +263,7 @@ std::vector<Target> targets_in(DatasetImage const& image) {
     for (GroundTruth const& object : image.objects)
         ++instances[object.obj_id];
     std::vector<Target> targets;
+    targets.reserve(instances.size());
     for (auto const& [obj_id, count] : instances)
         targets.push_back({image.id, obj_id, count});
     return targets;

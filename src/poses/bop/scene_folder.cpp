@@ -38,7 +38,7 @@ template <class Item, class Read> void read_into(Item& item, Read const& read) {
 /// NNNNNN.png, or .tif as ITODD has it.
 fs::path depth_file(fs::path const& folder, int im_id) {
     for (char const* const extension : {".png", ".tif", ".tiff"}) {
-        fs::path const file = folder / fmt::format("{:06}{}", im_id, extension);
+        fs::path file = folder / fmt::format("{:06}{}", im_id, extension);
         if (fs::exists(file))
             return file;
     }

@@ -77,6 +77,7 @@ std::vector<std::vector<bop::Detection>> looks_at(SettingData const& setting, bo
                      [](bop::Detection const& a, bop::Detection const& b) { return a.score > b.score; });
     boxes.resize(std::min(boxes.size(), static_cast<std::size_t>(target.inst_count)));
     std::vector<std::vector<bop::Detection>> looks;
+    looks.reserve(boxes.size());
     for (bop::Detection const& box : boxes)
         looks.push_back({box});
     return looks;

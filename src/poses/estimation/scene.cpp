@@ -72,8 +72,9 @@ DetectionConfig visible_box(SampleCounters const& counters, SampleInput const& s
     if (counters.visible_top == 0)
         return {};
     DetectionConfig box;
-    box.left = sample.centre_col - window / 2 + static_cast<double>(counters.visible_left);
-    box.top = sample.centre_row - window / 2 + static_cast<double>(counters.visible_top);
+    int const half = window / 2;
+    box.left = sample.centre_col - half + static_cast<double>(counters.visible_left);
+    box.top = sample.centre_row - half + static_cast<double>(counters.visible_top);
     box.width = static_cast<double>(counters.visible_right - counters.visible_left) + 1;
     box.height = static_cast<double>(counters.visible_bottom - counters.visible_top) + 1;
     return box;

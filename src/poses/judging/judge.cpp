@@ -333,6 +333,7 @@ class TargetJudge {
     template <class Item>
     std::vector<DistanceImage> drawn(std::vector<Item const*> const& items, Camera const& camera) const {
         std::vector<DistanceImage> images;
+        images.reserve(items.size());
         for (Item const* const item : items)
             images.push_back(drawn_distances(model_.mesh, item->pose, camera));
         return images;

@@ -112,12 +112,45 @@ bool ProcessTiming::attempt(Operation const& operation) {
 
 /// The step of a port, in an iteration so many after the one that makes the attempt.
 bool ProcessTiming::reach_attempt(unsigned port, std::uint64_t behind) {
-    std::optional<Cycles> const step = plan_->step_of(port);
-    if (!step || *step / plan_->ii != behind || (state_.pipeline.open && *step % plan_->ii < state_.pipeline.offset)) {
+    std::optional<Cycles> const offset = offset_in_window(port, behind);
+    if (!offset || (state_.pipeline.open && *offset < state_.pipeline.offset)) {
         deviates(port, state_.time);
         return true;
     }
-    return reach_step(*step % plan_->ii);
+    return reach_step(*offset);
+}
+
+/// Nothing if the step is in another window than when it was told.
+std::optional<Cycles> ProcessTiming::offset_in_window(unsigned port, std::uint64_t behind) const {
+    std::optional<Cycles> const step = plan_->step_of(port);
+    if (!step || *step / plan_->ii != behind)
+        return std::nullopt;
+    return *step % plan_->ii;
+}
+
+/// Of a process that is stuck: an attempt told behind what it waits for, which may come before that here, and let
+/// others go on.
+std::optional<unsigned> ProcessTiming::attempt_to_come() const {
+    Operation const* const first = log_.begin();
+    bool is_in_window = true;  // at hand
+    for (Operation const* at = first; at != first + log_.pending() && at->kind() != Operation::Kind::leave; ++at) {
+        bool const is_attempt = at->is_choice() && at->gap() == Operation::attempt;
+        is_in_window =
+            is_in_window && at->iterations() == 0 && !(at->is_choice() && at->gap() == Operation::end_of_window);
+        if (!is_attempt || (at != first && !in_loop()))
+            continue;
+        unsigned const port = Ports(at->ports()).first();
+        std::optional<Cycles> const offset = in_loop() ? offset_in_window(port, at->iterations_behind()) : std::nullopt;
+        if (!offset || at == first || (is_in_window && *offset <= offset_awaited()))
+            return port;
+    }
+    return std::nullopt;
+}
+
+/// Of the window at hand, the step that the process cannot do.
+Cycles ProcessTiming::offset_awaited() const {
+    PipelinePosition const& pipeline = state_.pipeline;
+    return pipeline.phase < plan_->phases.size() ? plan_->phases[pipeline.phase].offset : pipeline.offset;
 }
 
 /// What attempts did not find must not have been there.
@@ -147,9 +180,8 @@ std::optional<ProcessTiming::Deviation> ProcessTiming::deviation(bool is_over) c
     for (unsigned port = 0; port < figures_.failed_before.size(); ++port)
         if (ports_[port].end.known() > 0 && ports_[port].end.earliest() < figures_.failed_before[port])
             return Deviation{port, figures_.failed_before[port] - 1};
-    if (is_over && !log_.exhausted() && log_.begin()->is_choice() && log_.begin()->gap() == Operation::attempt)
-        return Deviation{Ports(log_.begin()->ports()).first(), state_.time};
-    return std::nullopt;
+    std::optional<unsigned> const to_come = is_over ? attempt_to_come() : std::nullopt;
+    return to_come ? std::optional(Deviation{*to_come, state_.time}) : std::nullopt;
 }
 
 }  // namespace dataflow::timing

@@ -301,6 +301,9 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     bool end_window();
     bool attempt(Operation const& operation);
     bool reach_attempt(unsigned port, std::uint64_t behind);
+    std::optional<Cycles> offset_in_window(unsigned port, std::uint64_t behind) const;
+    std::optional<unsigned> attempt_to_come() const;
+    Cycles offset_awaited() const;
     void check_failures(Ports::Number ports);
     void deviates(unsigned port, Cycles cycle);
     void add_stall(ProcessPort const& port, Cycles stall);

@@ -184,7 +184,7 @@ void check_seeds(Trial (*random)(std::uint64_t), std::uint64_t first, std::uint6
 AcceleratorConfig config_with(std::string const& trace, std::vector<std::string> keys,
                               std::string const& architecture = "faster") {
     keys.push_back("workload.trace=" + source + "/traces/" + trace);
-    keys.push_back("accelerator.raster_cores=1");
+    keys.emplace_back("accelerator.raster_cores=1");
     keys.emplace_back("accelerator.memory.model=ideal");
     LoadedConfig loaded = layered_config({source + "/configs/architectures/" + architecture + ".yaml"}, keys);
     Stimulus const stimulus = files::read_trace(source + "/traces/" + trace);

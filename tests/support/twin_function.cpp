@@ -460,9 +460,9 @@ Image<std::uint8_t> build(std::vector<TwinEdgeToken> const& tokens, int window, 
 
 /// Eq. 2.2 without square roots and quotients: floor(65536 a / (n b)) > t, with a and b rounded down to integers.
 bool is_curved(Image<std::uint16_t> const& buffer, int row, int col, EdgeExtractionConfig const& config) {
-    int const reach = config.neighbourhood / 2;
+    int const reach = config.neighbourhood / 2, middle = buffer.width() / 2;
     auto const slope = [&](int position) {
-        double const exact = std::ldexp((position - buffer.width() / 2) / config.focal_length_px, 15);
+        double const exact = std::ldexp((position - middle) / config.focal_length_px, 15);
         return static_cast<WideInt>(std::floor(std::min(131071.0, std::max(-131072.0, exact))));
     };
     auto const square_of = [](WideInt component) {

@@ -64,7 +64,7 @@ TEST_CASE("Every word has a bank, and none has more than bank_words", "[partitio
                 for (std::uint64_t bank = 0; bank < partition.banks(); ++bank)
                     for (std::uint64_t i = 0; i < partition.bank_words(); ++i)
                         if (PixelOffset const at = partition.word_of(bank, i); at.row < side && at.col < side)
-                            found[static_cast<std::size_t>(at.row * side + at.col)] +=
+                            found[static_cast<std::size_t>(at.row) * side + static_cast<std::size_t>(at.col)] +=
                                 partition.bank_of(at.row, at.col) == bank ? 1 : 0;
                 CHECK(std::count(found.begin(), found.end(), 1) == side * side);
                 CHECK(*std::max_element(words.begin(), words.end()) == partition.bank_words());

@@ -81,7 +81,7 @@ Mesh prism(std::vector<Eigen::Vector2d> const& corners, double height) {
     auto const n = static_cast<std::uint32_t>(corners.size());
     for (double const z : {-height / 2, height / 2}) {
         for (Eigen::Vector2d const& corner : corners)
-            mesh.vertices.push_back(middle + Eigen::Vector3d(corner.x(), corner.y(), z));
+            mesh.vertices.emplace_back(middle + Eigen::Vector3d(corner.x(), corner.y(), z));
     }
     for (std::uint32_t i = 0; i < n; ++i) {
         std::uint32_t const next = (i + 1) % n;

@@ -190,12 +190,13 @@ TEST_CASE("Rotations are uniform on SO(3)", "[estimation]") {
                 (rotation.w * rotation.z > 0 ? 4 : 0)];
     }
     double of_angles = 0, of_heights = 0, of_cells = 0;
+    int const a_bin = draws / bins, a_cell = draws / 8;
     for (int bin = 0; bin < bins; ++bin) {
-        of_angles += std::pow(angle_bins[bin] - draws / bins, 2) / (draws / bins);
-        of_heights += std::pow(height_bins[bin] - draws / bins, 2) / (draws / bins);
+        of_angles += std::pow(angle_bins[bin] - a_bin, 2) / a_bin;
+        of_heights += std::pow(height_bins[bin] - a_bin, 2) / a_bin;
     }
     for (double const cell : cells)
-        of_cells += std::pow(cell - draws / 8, 2) / (draws / 8);
+        of_cells += std::pow(cell - a_cell, 2) / a_cell;
     CHECK(of_angles < 50.8);  // 19 degrees of freedom, once in ten thousand
     CHECK(of_heights < 50.8);
     CHECK(of_cells < 29.9);  // 7

@@ -104,7 +104,7 @@ TEST_CASE("check prints every limit with its margin, and passes") {
     CommandResult const result = check(folder, {"fine.yaml"});
     require_done(result);
     CHECK_THAT(result.out, Contains("fine.yaml: passed\n"));
-    CHECK_THAT(result.out, Contains("total_cycles") && Contains("min 16000, max 85 us") && Contains("16429"));
+    CHECK_THAT(result.out, Contains("total_cycles") && Contains("min 16000, max 85 us") && Contains("16,429"));
     CHECK_THAT(result.out, Contains("+429"));  // to min 16000, nearer than 17000
     CHECK_THAT(result.out, Contains("samples.") && Contains(" of 4\n"));
     CHECK_THAT(result.out, Contains("1 budget: 1 passed\n"));
@@ -118,7 +118,7 @@ TEST_CASE("check names the breach, the margin and what moved") {
     CommandResult const same = check(folder, {"b.yaml"});
     CHECK(same.exit_code == 1);
     CHECK_THAT(same.out, Contains("! total_cycles") && Contains("-1  -0.01 %") &&
-                             Contains("broken: total_cycles = 16429, expected max 16428: 1 cycle above") &&
+                             Contains("broken: total_cycles = 16,429, expected max 16428: 1 cycle above") &&
                              Contains("(\"see what happens\"):\n    nothing"));
     CommandResult const slower = check(folder, {"b.yaml", "--set", "accelerator.loops.edge_map_builder.output.ii=2"});
     CHECK(slower.exit_code == 1);

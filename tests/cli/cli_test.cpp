@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/base/grouped_digits.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/command.hpp"
 #include "support/temp_folder.hpp"
@@ -185,8 +186,8 @@ TEST_CASE("A run's report says how many block RAMs it takes, as summary.json doe
     }
     CHECK(resources.at("cores").at("ramb36") == sum);
     std::ostringstream of_cores;
-    of_cores << "\n  2 raster cores " << std::setw(20) << std::lround(resources.at("cores").at("lut").get<double>())
-             << ' ';
+    auto const luts = static_cast<std::uint64_t>(std::llround(resources.at("cores").at("lut").get<double>()));
+    of_cores << "\n  2 raster cores " << std::setw(20) << dataflow::grouped(luts) << ' ';
     CHECK_THAT(result.out, Contains(of_cores.str()));
     CHECK_THAT(result.out, Contains("of the XCZU9EG"));
     nlohmann::ordered_json const& power = summary.at("power");

@@ -4,15 +4,17 @@
 
 namespace dataflow {
 
-/// For people, e.g. "2,479,934". Files have plain digits.
-inline std::string grouped(std::uint64_t number) {
-    std::string text = std::to_string(number);
-    for (std::size_t left = text.size(); left > 3;) {
+/// Of a whole number without a sign.
+inline std::string grouped_digits(std::string digits) {
+    for (std::size_t left = digits.size(); left > 3;) {
         left -= 3;
-        text.insert(left, 1, ',');
+        digits.insert(left, 1, ',');
     }
-    return text;
+    return digits;
 }
+
+/// For people, e.g. "2,479,934". Files have plain digits.
+inline std::string grouped(std::uint64_t number) { return grouped_digits(std::to_string(number)); }
 
 /// With its sign, e.g. "-2,479,934"; none is "+0".
 inline std::string grouped_change(std::int64_t change) {

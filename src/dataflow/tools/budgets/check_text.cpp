@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/tools/budgets/figures.hpp"
 
 namespace dataflow::budgets {
@@ -16,10 +17,12 @@ bool is_plain_count(std::optional<Quantity> const& quantity) {
     return !quantity || quantity->kind == Quantity::Kind::count;
 }
 
+std::string bound_text(double bound) { return grouped_digits(fmt::format("{:.0f}", bound)); }
+
 std::string interval_text(Interval const& interval) {
     if (interval.lower && interval.upper && *interval.lower != *interval.upper)
-        return fmt::format("{:.0f}..{:.0f}", *interval.lower, *interval.upper);
-    return fmt::format("{:.0f}", interval.upper ? *interval.upper : *interval.lower);
+        return bound_text(*interval.lower) + ".." + bound_text(*interval.upper);
+    return bound_text(interval.upper ? *interval.upper : *interval.lower);
 }
 
 constexpr std::size_t most_breaches = 5;
@@ -40,8 +43,8 @@ Row row_of(Verdict const& verdict) {
                                           : fmt::format(", {} of {} broken", verdict.breaches.size(), verdict.matches);
     return {(verdict.breaches.empty() ? "  " : "! ") + verdict.limit.figure,
             limit_text(verdict.limit, tightest.allowed),
-            std::to_string(tightest.measured),
-            fmt::format("{:+}", tightest.margin),
+            grouped(tightest.measured),
+            grouped_change(tightest.margin),
             tightest.percent ? fmt::format("{:+.2f} %", *tightest.percent) : "-",
             place};
 }
@@ -77,7 +80,7 @@ std::string figure_name(runs::Change const& change) {
     return change.item.empty() ? change.figure : change.item + "." + change.figure;
 }
 
-std::string value_text(std::optional<std::uint64_t> value) { return value ? std::to_string(*value) : "-"; }
+std::string value_text(std::optional<std::uint64_t> value) { return value ? grouped(*value) : "-"; }
 
 void changes(std::string& text, char const* title, std::vector<runs::Change> const& list, std::size_t top) {
     std::size_t const shown = std::min(top, list.size());
@@ -85,8 +88,9 @@ void changes(std::string& text, char const* title, std::vector<runs::Change> con
         runs::Change const& change = list[i];
         auto const percent =
             runs::percent_of(static_cast<double>(change.a.value_or(0)), static_cast<double>(change.b.value_or(0)));
-        line(text, "    {:<8} {}  {} -> {}  {:+}{}", i == 0 ? title : "", figure_name(change), value_text(change.a),
-             value_text(change.b), change.difference(), percent ? fmt::format(" ({:+.2f} %)", *percent) : "");
+        line(text, "    {:<8} {}  {} -> {}  {}{}", i == 0 ? title : "", figure_name(change), value_text(change.a),
+             value_text(change.b), grouped_change(change.difference()),
+             percent ? fmt::format(" ({:+.2f} %)", *percent) : "");
     }
     if (shown < list.size())
         line(text, "    {:<8} ... and {} more", "", list.size() - shown);
@@ -121,8 +125,8 @@ std::string limit_text(Limit const& limit, Interval const& allowed) {
 
 std::string breach_text(Limit const& limit, Comparison const& breach) {
     bool const above = breach.allowed.upper && static_cast<double>(breach.measured) > *breach.allowed.upper;
-    return fmt::format("{} = {}, expected {}: {}{} {}", breach.figure, breach.measured,
-                       limit_text(limit, breach.allowed), std::abs(breach.margin),
+    return fmt::format("{} = {}, expected {}: {}{} {}", breach.figure, grouped(breach.measured),
+                       limit_text(limit, breach.allowed), grouped(static_cast<std::uint64_t>(std::abs(breach.margin))),
                        is_in_cycles(breach.figure) ? (breach.margin == -1 ? " cycle" : " cycles") : "",
                        above ? "above" : "below");
 }

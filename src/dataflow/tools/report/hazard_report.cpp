@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/run/config/enum_names.hpp"
 #include "dataflow/run/figures/table_rows.hpp"
 
@@ -74,7 +75,8 @@ std::string hazards_text(RunStatistics const& run) {
     for (DependenceRow const& row : rows)
         text += fmt::format("  {:<25} {:<19} {:>3} {:<12} {:>5} {:>9} {:>12}  {}\n", row.name(), row.bram, row.ii,
                             stages_text(row.dependence), row.dependence.span(),
-                            row.smallest == 0 ? "-" : std::to_string(row.smallest), row.hazards(), counts_text(row));
+                            row.smallest == 0 ? "-" : std::to_string(row.smallest), grouped(row.hazards()),
+                            counts_text(row));
     for (DependenceRow const& row : rows)
         text += sentence(row);
     return text;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/tools/report/json_rows.hpp"
 
 namespace dataflow::report {
@@ -71,21 +72,21 @@ std::string memory_traffic_text(RunStatistics const& run) {
     std::string text = fmt::format(
         "\nExternal memory: {} bytes, {:.2f} GB/s; controller busy {:.1f} %, largest queue {} bursts; memory stalls "
         "{} lane-cycles\n",
-        traffic.bytes(), traffic.gb_per_s(traffic.bytes(), cycles), percent(traffic.controller_utilisation(cycles)),
-        traffic.largest_queue, memory_stalls(run));
+        grouped(traffic.bytes()), traffic.gb_per_s(traffic.bytes(), cycles),
+        percent(traffic.controller_utilisation(cycles)), traffic.largest_queue, grouped(memory_stalls(run)));
     if (run.load_cycles > 0)
-        text += fmt::format("  load: {} cycles before cycle 0, which the total has\n", run.load_cycles);
+        text += fmt::format("  load: {} cycles before cycle 0, which the total has\n", grouped(run.load_cycles));
     text += roofline_text(traffic, cycles);
     for (std::size_t port = 0; port < traffic.port_beats.size(); ++port)
-        text += fmt::format("  port {}: {} bytes read, {:.2f} GB/s, busy {:.1f} %\n", port, traffic.bytes_read(port),
-                            traffic.gb_per_s(traffic.bytes_read(port), cycles),
+        text += fmt::format("  port {}: {} bytes read, {:.2f} GB/s, busy {:.1f} %\n", port,
+                            grouped(traffic.bytes_read(port)), traffic.gb_per_s(traffic.bytes_read(port), cycles),
                             percent(share_of(traffic.port_beats[port], cycles)));
-    text += fmt::format("  {:<12} {:>10} {:>14} {:>7} {:>46}\n", "master", "bursts", "bytes", "GB/s",
+    text += fmt::format("  {:<12} {:>12} {:>16} {:>7} {:>46}\n", "master", "bursts", "bytes", "GB/s",
                         "latency of bursts [cycles]: least median 90 % most");
     for (MasterStatistics const& row : over_cores(traffic))
-        text += fmt::format("  {:<12} {:>10} {:>14} {:>7.2f} {:>28} {:>6} {:>6} {:>7}\n", row.master, row.bursts,
-                            row.bytes, traffic.gb_per_s(row.bytes, cycles), row.latency_least, row.latency_median,
-                            row.latency_90, row.latency_most);
+        text += fmt::format("  {:<12} {:>12} {:>16} {:>7.2f} {:>28} {:>6} {:>6} {:>7}\n", row.master,
+                            grouped(row.bursts), grouped(row.bytes), traffic.gb_per_s(row.bytes, cycles),
+                            row.latency_least, row.latency_median, row.latency_90, row.latency_most);
     return text;
 }
 

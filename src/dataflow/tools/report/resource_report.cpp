@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/tools/resources/machine_resources.hpp"
 
 namespace dataflow::report {
@@ -50,8 +51,9 @@ Json sum_json(Resources const& amount) {
 }
 
 std::string line(std::string const& name, Resources const& amount, std::string_view basis) {
-    return fmt::format("  {:<25} {:>9.0f} {:>9.0f} {:>7.0f} {:>8.4g}{}{}\n", name, amount.lut, amount.ff, amount.dsp,
-                       amount.ramb36, basis.empty() ? "" : "  ", basis);
+    auto const count = [](double amount_of_it) { return grouped_digits(fmt::format("{:.0f}", amount_of_it)); };
+    return fmt::format("  {:<25} {:>9} {:>9} {:>7} {:>8.4g}{}{}\n", name, count(amount.lut), count(amount.ff),
+                       count(amount.dsp), amount.ramb36, basis.empty() ? "" : "  ", basis);
 }
 std::string line(ResourcePart const& part) { return line(part.name, part.amount, name_of(part.basis)); }
 

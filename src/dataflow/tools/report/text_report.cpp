@@ -68,23 +68,23 @@ void module_table(std::string& text, RunStatistics const& run) {
 
 void loop_table(std::string& text, RunStatistics const& run) {
     line(text, "\nLoops: initiation interval (II) and pipeline depth [cycles]; trip count is the mean per entry");
-    line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}", "loop", "II target", "II achieved",
+    line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>12} {:>14} {:>11} {:>21}", "loop", "II target", "II achieved",
          "limited by", "depth", "entries", "iterations", "trip count", "port conflict cycles");
     for (LoopRow const& l : over_cores(loop_columns, loop_rows(run)))
-        line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>10} {:>12} {:>11} {:>21}", l.name(), l.ii_target, l.ii,
-             l.limited_by.empty() ? "-" : l.limited_by, l.depth, l.entries, l.iterations,
+        line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>12} {:>14} {:>11} {:>21}", l.name(), l.ii_target, l.ii,
+             l.limited_by.empty() ? "-" : l.limited_by, l.depth, grouped(l.entries), grouped(l.iterations),
              l.entries == 0 ? "-"
                             : fmt::format("{:.1f}", static_cast<double>(l.iterations) / static_cast<double>(l.entries)),
-             l.port_conflict_cycles);
+             grouped(l.port_conflict_cycles));
 }
 
 void fifo_table(std::string& text, RunStatistics const& run) {
     line(text, "\nFIFOs: depth, and the largest occupancy of any core, in tokens; stalls in lane-cycles");
-    line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", "FIFO", "kind", "depth", "max occupancy", "tokens",
+    line(text, "  {:<19} {:<14} {:>6} {:>14} {:>14} {:>14} {:>14}", "FIFO", "kind", "depth", "max occupancy", "tokens",
          "full stall", "empty stall");
     for (FifoRow const& f : over_cores(fifo_columns, fifo_rows(run)))
-        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>13} {:>12} {:>12}", f.fifo, f.kind_name, f.depth, f.max_occupancy,
-             f.writes, f.full_stall_cycles, f.empty_stall_cycles);
+        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>14} {:>14} {:>14}", f.fifo, f.kind_name, f.depth, f.max_occupancy,
+             grouped(f.writes), grouped(f.full_stall_cycles), grouped(f.empty_stall_cycles));
 }
 
 void bram_table(std::string& text, RunStatistics const& run) {
@@ -93,22 +93,22 @@ void bram_table(std::string& text, RunStatistics const& run) {
     auto const cores = static_cast<double>(run.cores.size());
     line(text, "\nBlock RAMs: {:g} RAMB36 in all without FIFOs, of the ZCU102's {:g}; port conflicts in lane-cycles",
          ramb36_of_core(run.machine) * cores, ramb36_of_device);
-    line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9} {:>14}", "memory", "words", "bits", "banks", "buffers",
+    line(text, "  {:<19} {:>9} {:>5} {:>6} {:>8} {:>6} {:>9} {:>14}", "memory", "words", "bits", "banks", "buffers",
          "ports", "RAMB36", "port conflict");
     for (MemoryRow const& m : over_cores(memory_columns, memory_rows(run)))
-        line(text, "  {:<19} {:>7} {:>5} {:>6} {:>8} {:>6} {:>9g} {:>14}", m.bram, m.words, m.bits, m.partition,
-             m.buffers, m.ports, m.ramb36() * cores, m.port_conflict_cycles);
+        line(text, "  {:<19} {:>9} {:>5} {:>6} {:>8} {:>6} {:>9g} {:>14}", m.bram, grouped(m.words), m.bits,
+             m.partition, m.buffers, m.ports, m.ramb36() * cores, grouped(m.port_conflict_cycles));
 }
 
 void latency_table(std::string& text, RunStatistics const& run) {
     std::vector<Cycles> const latencies = sorted_latencies(run);
     if (latencies.empty())
         return;
-    auto const at = [&latencies](double share) { return latency_at(latencies, share); };
+    auto const at = [&latencies](double share) { return grouped(latency_at(latencies, share)); };
     line(text, "\nSample latency, queueing included [cycles]");
-    line(text, "  {:>10} {:>10} {:>10} {:>10} {:>10}", "min", "10 %", "median", "90 %", "max");
-    line(text, "  {:>10} {:>10} {:>10} {:>10} {:>10}   (median {:.3f} ms)", at(0), at(0.1), at(0.5), at(0.9), at(1),
-         run.machine.milliseconds(at(0.5)));
+    line(text, "  {:>12} {:>12} {:>12} {:>12} {:>12}", "min", "10 %", "median", "90 %", "max");
+    line(text, "  {:>12} {:>12} {:>12} {:>12} {:>12}   (median {:.3f} ms)", at(0), at(0.1), at(0.5), at(0.9), at(1),
+         run.machine.milliseconds(latency_at(latencies, 0.5)));
 }
 
 void host_speed(std::string& text, RunStatistics const& run, HostTime const& host) {

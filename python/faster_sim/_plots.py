@@ -29,30 +29,47 @@ def stalls(summary: Mapping[str, Any], axes: Any) -> Any:
 
 
 def dataflow(summary: Mapping[str, Any], axes: Any) -> Any:
-    axes = axes if axes is not None else _new_axes()
+    """An arrow for all FIFOs from one module to another, as thick as the one that is waited for most."""
     edges = summary["dataflow"]
     places = _places(edges)
+    columns = max((x for x, _ in places.values()), default=0)
+    axes = axes if axes is not None else _new_axes(width=2.4 * (columns + 1))
     waited: dict[str, int] = defaultdict(int)
     for row in summary["fifos"]:
         waited[row["fifo"]] += row["full_stall_cycles"] + row["empty_stall_cycles"]
     most = max(waited.values(), default=0) or 1
-    between: dict[tuple[str, str], int] = defaultdict(int)
+    between: dict[tuple[str, str], list[str]] = defaultdict(list)
     for edge in edges:
-        ends = (edge["from"], edge["to"])
-        share = waited[edge["fifo"]] / most
-        bend = 0.12 * between[ends]
-        between[ends] += 1
-        axes.annotate("", places[ends[1]], places[ends[0]], arrowprops={
-            "arrowstyle": "->", "connectionstyle": f"arc3,rad={bend}", "lw": 1 + 4 * share, "color": "#d98143" if share > 0.1 else "#888",
-            "shrinkA": 16, "shrinkB": 16})
-        middle = [(a + b) / 2 for a, b in zip(places[ends[0]], places[ends[1]])]
-        axes.text(middle[0], middle[1] - bend, edge["fifo"], fontsize=7, ha="center", va="bottom")
+        between[edge["from"], edge["to"]].append(edge["fifo"])
+    for (start, end), fifos in between.items():
+        bend = 0.3 if _is_in_the_way(places, places[start], places[end]) else 0.0
+        _arrow(axes, places[start], places[end], bend, fifos, max(waited[fifo] for fifo in fifos) / most)
     for name, (x, y) in places.items():
         axes.text(x, y, name, ha="center", va="center", bbox={"boxstyle": "round", "facecolor": "#f3efe4", "edgecolor": "#555"}, fontsize=8)
-    axes.set_xlim(-0.6, max((x for x, _ in places.values()), default=0) + 0.6)
-    axes.set_ylim(min((y for _, y in places.values()), default=0) - 0.6, max((y for _, y in places.values()), default=0) + 0.6)
+    axes.set_xlim(-0.6, columns + 0.6)
+    axes.set_ylim(min((y for _, y in places.values()), default=0) - 0.8, max((y for _, y in places.values()), default=0) + 0.6)
     axes.set_axis_off()
     return axes
+
+
+def _is_in_the_way(places: Mapping[str, tuple[float, float]], start: tuple[float, float], end: tuple[float, float]) -> bool:
+    """Whether a straight line passes a module closely."""
+    left, right = sorted([start, end])
+    return any(left[0] < x < right[0] and abs(left[1] + (right[1] - left[1]) * (x - left[0]) / (right[0] - left[0]) - y) < 0.4
+               for x, y in places.values())
+
+
+def _arrow(axes: Any, start: tuple[float, float], end: tuple[float, float], bend: float, fifos: list[str], share: float) -> None:
+    """Names stand in its middle, which a bend puts below."""
+    from matplotlib.patches import FancyArrowPatch
+
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    colour = "#d98143" if share > 0.1 else "#888"
+    axes.add_patch(FancyArrowPatch(start, end, connectionstyle=f"arc3,rad={bend}", arrowstyle="-|>", mutation_scale=12,
+                                   linewidth=1 + 4 * share, color=colour, shrinkA=20, shrinkB=20))
+    middle = start[0] + dx / 2 + bend / 2 * dy, start[1] + dy / 2 - bend / 2 * dx
+    axes.text(*middle, "\n".join(fifos), fontsize=7, ha="center", va="center",
+              bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
 
 
 def _places(edges: list[Mapping[str, str]]) -> dict[str, tuple[float, float]]:
@@ -71,7 +88,7 @@ def _places(edges: list[Mapping[str, str]]) -> dict[str, tuple[float, float]]:
     return places
 
 
-def _new_axes() -> Any:
+def _new_axes(width: float = 9) -> Any:
     from matplotlib import pyplot
 
-    return pyplot.subplots(figsize=(9, 4))[1]
+    return pyplot.subplots(figsize=(width, 4))[1]

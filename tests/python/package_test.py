@@ -283,8 +283,12 @@ dimensions:
         self.assertEqual([label.get_text() for label in bars.get_yticklabels()][:2], ["sample_dispatcher", "vertex_transform"])
         widths = sum(bar.get_width() for bar in bars.patches)
         self.assertEqual(widths, 2 * 8 * result.total_cycles)  # of two cores' eight modules
-        texts = {text.get_text() for text in result.plot_dataflow().texts}
-        self.assertLessEqual({"rasterizer", "inlier_unit", "fragment_depth"}, texts)
+        graph = result.plot_dataflow()
+        texts = {text.get_text() for text in graph.texts}
+        self.assertLessEqual({"rasterizer", "inlier_unit", "command\nfragment_depth\nfragment_index"}, texts)
+        boxes = [text.get_window_extent() for text in graph.texts]
+        for i, box in enumerate(boxes):
+            self.assertEqual(box.count_overlaps(boxes[:i]), 0, graph.texts[i].get_text())
 
     def test_a_result_is_a_table_in_a_notebook(self) -> None:
         shown = self.events.whatif()._repr_html_()

@@ -28,6 +28,7 @@ inside faster-sim run /usr/share/faster-sim/configs/faster_zcu102.yaml --out /tm
 echo "try-package: main job after $((SECONDS - start)) s"
 inside faster-sim whatif /tmp/main.events --set accelerator.raster_cores=8 | sed -n 1,2p
 inside python3 -c 'import faster_sim; print(faster_sim.load_events("/tmp/main.events").whatif(accelerator__raster_cores=8).total_cycles)'
+inside python3 -c 'import importlib.metadata as installed; print("faster-sim", installed.version("faster-sim"), "for pip")'
 inside man faster-sim-run | grep 'faster-sim-run - Simulate'
 inside test -e /usr/include/faster-sim/dataflow/core/machine/machine.hpp
 inside apt-get purge -q -y -o Dir::Log::Terminal= faster-sim >>"$log"

@@ -344,18 +344,19 @@ dimensions:
         with self.assertRaises(Enough):
             self.events.whatif_matrix([{DEPTH: 1 + i % 64} for i in range(20000)], progress=stop)
 
-    def test_the_tutorial_is_true(self) -> None:
-        """docs/python.md, block after block, in a folder where it finds what it names."""
-        text = (SOURCE / "docs" / "python.md").read_text(encoding="utf-8")
-        blocks = re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
-        self.assertGreater(len(blocks), 3)
+    def test_the_pages_are_true(self) -> None:
+        """README.md and docs/python.md, block after block, in a folder where they find what they name."""
         for part in ("configs", "examples", "traces"):
             (self.folder / part).symlink_to(SOURCE / part)
         before = os.getcwd()
         os.chdir(self.folder)
         try:
-            tutorial = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, "docs/python.md", None, 0)
-            self.assertEqual(doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(tutorial).failed, 0)
+            for page, least in (("README.md", 1), ("docs/python.md", 4)):
+                blocks = re.findall(r"^```python\n(.*?)^```", (SOURCE / page).read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+                self.assertGreaterEqual(len(blocks), least)
+                shown = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, page, None, 0)
+                self.assertGreater(len(shown.examples), 0, page)
+                self.assertEqual(doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(shown).failed, 0, page)
         finally:
             os.chdir(before)
 

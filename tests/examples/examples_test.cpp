@@ -368,8 +368,8 @@ TEST_CASE("What is stored is asked for when it has been given, and in bursts", "
         example.run({"workload.samples=1", "workload.numbers=1000", "accelerator.memory.output_address=536870972"}).out;
     out.erase(std::unique(out.begin(), out.end(), [](char one, char next) { return one == ' ' && next == ' '; }),
               out.end());
-    CHECK_THAT(out, Contains("input 63 4000 "));   // 62 of 16 tokens, and one of 8
-    CHECK_THAT(out, Contains("output 64 4000 "));  // one token, 62 times 16, and 7
+    CHECK_THAT(out, Contains("input 63 4,000 "));   // 62 of 16 tokens, and one of 8
+    CHECK_THAT(out, Contains("output 64 4,000 "));  // one token, 62 times 16, and 7
 }
 
 TEST_CASE("A design that waits in a circle is reported, with who waits for whom", "[examples]") {

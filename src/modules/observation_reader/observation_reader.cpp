@@ -34,7 +34,6 @@ ModuleDescription ObservationReader::describe(AcceleratorConfig const& config) {
         .does("reads one token of observed pixels per iteration")
         .of_depth(5)
         .writes_to({"observed_depth", "observed_edge"})
-        .unlisted()
         .accesses_memory("observation", widened({{{0, 0}}, {}}, static_cast<int>(lanes)));
     add_stream(config, module);
     return module;

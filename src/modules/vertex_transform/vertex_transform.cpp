@@ -21,7 +21,6 @@ ModuleDescription VertexTransform::describe(AcceleratorConfig const& config) {
         .does("transforms one vertex per iteration")
         .of_depth(41)
         .writes_to({"vertex"})
-        .unlisted()
         .accesses_memory("mesh", {{{0, 0}}, {}});
     module.memory("mesh")
         .holds("vertices of the mesh, three per triangle, if it is on the chip")

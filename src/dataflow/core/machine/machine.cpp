@@ -214,7 +214,6 @@ class Maker {
         loop.name = description.name;
         decide(loop, first_failing(core_.modules[module].conditions, description.conditions));
         loop.process = module;
-        loop.is_listed = description.is_listed;
         loop.timed_by = keyed_loop(core_.modules[module], description);
         LoopSettings const settings = settings_.loop(loop.timed_by);
         std::vector<timing::BramDemand> demands;

@@ -90,7 +90,6 @@ struct MachineLoop {
     std::vector<std::size_t> writes;  ///< numbers of FIFOs
     std::vector<MachineDependence> dependences;
     std::vector<std::size_t> reads;  ///< those it was told of: all if it writes, or reads in a later stage
-    bool is_listed = true;           ///< in loops.csv
     bool makes_attempts = false;     ///< at any of its FIFOs
 
     /// The number of its dependence on a memory, if it has one.

@@ -119,9 +119,6 @@ struct LoopDescription {
     std::vector<std::string> reads;   ///< FIFOs that iterations read, of a loop that writes as well; likewise: taken()
     std::string timed_by;             ///< "MODULE.LOOP" whose keys time it; empty: keys of its own
 
-    bool is_listed = true;  ///< in loops.csv; reports list it all the same
-
-    LoopDescription& unlisted() { return is_listed = false, *this; }
     LoopDescription& does(std::string text) { return task = std::move(text), *this; }
     LoopDescription& of_depth(Cycles stages, Cycles more = 0) { return depth = stages, extra_depth = more, *this; }
     /// Not pipelined: an iteration takes so many states, of a cycle each, and is over when the next one begins. There

@@ -23,6 +23,8 @@ std::vector<Preset> const& Design::presets() const {
 
 std::size_t Design::counters_of_all() const { return counters().size(); }
 
+bool Design::leaves_out_of_loops_csv(std::string const& /*loop*/) const { return false; }
+
 std::string Design::main_counter() const { return counters().empty() ? "" : counters().front().name; }
 
 std::vector<std::filesystem::path> Design::files_of(std::filesystem::path const& folder) const {

@@ -69,7 +69,6 @@ struct LoopRow : LoopStatistics {
     std::uint64_t core = 0;
     std::string module;
     std::string loop;
-    bool is_in_csv = true;  ///< a design may leave loops out (LoopDescription)
 
     std::string name() const { return module + "." + loop; }
 };

@@ -83,7 +83,7 @@ std::vector<LoopRow> loop_rows(RunStatistics const& run) {
     for (std::size_t core = 0; core < run.cores.size(); ++core)
         for (std::size_t const i : loops_of(run.machine))
             rows.push_back({run.cores[core].loops[i], core, run.machine.processes[run.machine.loops[i].process].name,
-                            run.machine.loops[i].name, run.machine.loops[i].is_listed});
+                            run.machine.loops[i].name});
     return rows;
 }
 

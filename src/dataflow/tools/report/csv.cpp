@@ -22,7 +22,7 @@ std::string sample_line(SampleStatistics const& sample) {
 std::string loop_lines(RunStatistics const& run, bool is_in_csv) {
     std::string text;
     for (LoopRow const& row : loop_rows(run))
-        if (row.is_in_csv == is_in_csv)
+        if (design().leaves_out_of_loops_csv(row.name()) != is_in_csv)
             text += line(csv_cells(loop_columns, row));
     return text;
 }

@@ -22,7 +22,7 @@ fail() {
 mkdir "$scratch/sources"
 cp -r "$source"/{pyproject.toml,setup.py,CMakeLists.txt,LICENSE,NOTICE,docs,python} "$scratch/sources"
 if [[ "$1" == none ]]; then
-    cp -r "$source"/{cmake,configs,packaging,scripts,src} "$scratch/sources"
+    tar -C "$source" --exclude=./build --exclude=./out --exclude=./.git -cf - . | tar -C "$scratch/sources" -xf -
 fi
 "$python" -m venv --system-site-packages "$scratch/builder" # Debian's setuptools
 "$scratch/builder/bin/pip" wheel --quiet --no-build-isolation --no-index --no-deps --wheel-dir "$scratch" "$scratch/sources"

@@ -177,8 +177,7 @@ class ProcessClock {
     void open_loop(unsigned loop, SourceSite site = SourceSite::here());
     void open_iteration(std::uint64_t iteration) {
         reach(iteration);
-        collecting_ = true;
-        taken_ = timing::no_ports;
+        begin_collecting();
     }
     void close_iteration() {
         collecting_ = false;
@@ -283,8 +282,6 @@ class ProcessClock {
             return;
         if (is_pipelining_)
             require_first_stage(fifo);
-        if (collected_.is_empty())
-            taken_ = timing::no_ports;
         taken_ = taken_ | read_port_of(fifo);
     }
     /// Suspends the calling thread until the FIFO's other side may have done something; what for is told to deadlock
@@ -307,6 +304,11 @@ class ProcessClock {
     template <class Entry> [[gnu::noinline]] void tape(Entry entry) {
         for (OperationLog* log : timing_.tapes())
             entry(*log);
+    }
+    /// The accesses of a step, or of an iteration.
+    void begin_collecting() {
+        collecting_ = true;
+        taken_ = timing::no_ports;
     }
     void follow() {
         if (lockstep())
@@ -373,7 +375,7 @@ class ProcessClock {
     SourceSite site_;
     bool collecting_ = false;
     timing::Ports collected_;
-    timing::Ports taken_;  ///< read by plain ports, in the step at hand or before
+    timing::Ports taken_;  ///< of them, read by plain ports
 
     // The loop that pipeline() is in. Steps are counted from its begin.
     static constexpr std::uint64_t all_steps = ~std::uint64_t{0};
@@ -410,7 +412,7 @@ class Step {
   public:
     explicit Step(ProcessClock& clock, SourceSite site = SourceSite::here()) : clock_(clock) {
         clock_.here(site);
-        clock_.collecting_ = true;
+        clock_.begin_collecting();
     }
     ~Step() noexcept(false) {
         clock_.collecting_ = false;

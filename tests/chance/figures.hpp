@@ -12,7 +12,8 @@ struct Figures {
     std::vector<std::string> lines;
     bool is_stuck = false;
     Cycles total_cycles = 0;
-    /// Of a simulation cycle by cycle: what attempts found, a letter each; by process of all cores.
+    /// Of a simulation cycle by cycle: what attempts found, a letter each; by process of all cores and FIFO, as
+    /// attempts of one cycle have no order.
     std::vector<std::string> outcomes;
 };
 

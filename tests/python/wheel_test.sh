@@ -20,9 +20,10 @@ fail() {
 
 # A copy of the sources: what setuptools leaves beside them is no part of them.
 mkdir "$scratch/sources"
-cp -r "$source"/{pyproject.toml,setup.py,CMakeLists.txt,LICENSE,NOTICE,docs,python} "$scratch/sources"
 if [[ "$1" == none ]]; then
     tar -C "$source" --exclude=./build --exclude=./out --exclude=./.git -cf - . | tar -C "$scratch/sources" -xf -
+else
+    cp -r "$source"/{pyproject.toml,setup.py,CMakeLists.txt,LICENSE,NOTICE,docs,python} "$scratch/sources"
 fi
 "$python" -m venv --system-site-packages "$scratch/builder" # Debian's setuptools
 "$scratch/builder/bin/pip" wheel --quiet --no-build-isolation --no-index --no-deps --wheel-dir "$scratch" "$scratch/sources"

@@ -4,6 +4,12 @@
 
 namespace dataflow::timing {
 
+namespace {
+bool is(Operation const& operation, Operation::WaitFor choice) {
+    return operation.is_choice() && operation.gap() == choice;
+}
+}  // namespace
+
 // What a process says that makes attempts (docs/timing-model.md#non-blocking-accesses). Their outcomes are told: here
 // they get their cycles, and whatever would have come out otherwise in those is noted.
 
@@ -134,10 +140,8 @@ std::optional<unsigned> ProcessTiming::attempt_to_come() const {
     Operation const* const first = log_.begin();
     bool is_in_window = true;  // at hand
     for (Operation const* at = first; at != first + log_.pending() && at->kind() != Operation::Kind::leave; ++at) {
-        bool const is_attempt = at->is_choice() && at->gap() == Operation::attempt;
-        is_in_window =
-            is_in_window && at->iterations() == 0 && !(at->is_choice() && at->gap() == Operation::end_of_window);
-        if (!is_attempt || (at != first && !in_loop()))
+        is_in_window = is_in_window && at->iterations() == 0 && !is(*at, Operation::end_of_window);
+        if (!is(*at, Operation::attempt) || (at != first && !in_loop()))
             continue;
         unsigned const port = Ports(at->ports()).first();
         std::optional<Cycles> const offset = in_loop() ? offset_in_window(port, at->iterations_behind()) : std::nullopt;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "channels/fifo_channel.hpp"
+#include "dataflow/core/machine/build_core.hpp"
 
 namespace dataflow {
 
@@ -14,14 +15,9 @@ DataflowCore::DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<
       share_(share),
       time_base_(time_base),
       is_turn_over_(share.count == 0) {
-    for (MachineFifo const& fifo : machine_->fifos)
-        timing_->add_fifo(fifo.shape());
-    for (std::size_t process = 0; process < machine_->process_places(); ++process)
-        timing_->add_process(machine_->processes[process].name);
-    for (std::size_t const stream : streams_of(*machine_)) {
-        timing_->add_stream(machine_->streams[stream].name, machine_->streams[stream].enters_by());
+    build_core(*timing_, *machine_);
+    if (!timing_->streams().empty())
         memory_events_.resize(machine_->process_places());
-    }
     begun_.resize(timing_->processes().size());
     for (MachineFifo const& fifo : machine_->fifos)
         if (fifo.hands_over > 0)

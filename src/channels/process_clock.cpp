@@ -38,28 +38,19 @@ ProcessClock::ProcessClock(DataflowCore& core, std::string_view process)
 
 void ProcessClock::connect_all() {
     Machine const& machine = dataflow_core_.machine();
-    MachineProcess const& process = machine.processes[timing_.index()];
-    for (MachineEnd const& end : process.ends) {
-        end.writes ? connect_writes(channel_of(end.fifo)) : connect_reads(channel_of(end.fifo));
+    for (MachineEnd const& end : machine.processes[timing_.index()].ends) {
+        auto const port = static_cast<unsigned>(fifos_.size());
+        fifos_.push_back(&channel_of(end.fifo));
+        end.writes ? fifos_.back()->connect_writer(*this, port) : fifos_.back()->connect_reader(*this, port);
         if (end.when != FifoEnd::When::within_call)
-            hand_overs_[end.when] =
-                hand_overs_[end.when] | timing::Ports::of(static_cast<unsigned>(timing_.port_count() - 1));
+            hand_overs_[end.when] = hand_overs_[end.when] | timing::Ports::of(port);
         may_attempt_.push_back(end.makes_attempts);
     }
-    stream_ = connect_stream();
-    for (std::size_t const number : process.loops) {
-        MachineLoop const& loop = machine.loops[number];
-        timing::LoopShape shape = loop.shape();
-        bool const is_of_stream = stream_ != nullptr && loop.name == stream_->loop;
-        shape.uses_memory = is_of_stream && !stream_->writes;
-        if (is_of_stream && stream_->writes)
-            shape.writes.push_back({timing_.stream_port(), shape.depth - 1});
-        add_loop(std::move(shape), channels_of(loop.writes), channels_of(loop.reads));
-        require_no_late_access(timing_.loops().back());
-    }
-    set_setup_cycles(process.setup_cycles);
-    timing_.set_call_start(process.call_start);
-    timing_.let_stamps_look_back(process.stamps_look_back);
+    for (std::size_t const stream : streams_of(machine))
+        if (machine.streams[stream].process == timing_.index())
+            stream_ = &machine.streams[stream];
+    for (timing::LoopShape const& loop : timing_.loops())
+        require_no_late_access(loop);
 }
 
 void ProcessClock::begin_call() {
@@ -71,19 +62,6 @@ void ProcessClock::begin_call() {
 void ProcessClock::hand_over(FifoEnd::When when) {
     if (timing::Ports const ports = hand_overs_[when]; !ports.is_empty())
         step(ports);
-}
-
-/// Last, though a step accesses it first: so the other ports have the numbers that they always have. Null: there is
-/// none.
-MachineStream const* ProcessClock::connect_stream() {
-    Machine const& machine = dataflow_core_.machine();
-    std::vector<std::size_t> const streams = streams_of(machine);
-    for (std::size_t i = 0; i < streams.size(); ++i)
-        if (machine.streams[streams[i]].process == timing_.index()) {
-            timing_.add_stream(core_.stream(i));
-            return &machine.streams[streams[i]];
-        }
-    return nullptr;
 }
 
 /// The module of a call that is over does not do anything more for it.
@@ -189,15 +167,6 @@ FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
                                dataflow_core_.machine().fifos[fifo].name + " of " + timing_.name() +
                                " has no channel, expected a ClockedFifo made with its fifo_timing()");
     return *channel;
-}
-
-/// Of those that are there.
-std::vector<FifoChannel*> ProcessClock::channels_of(std::vector<std::size_t> const& fifos) const {
-    std::vector<FifoChannel*> channels;
-    for (std::size_t const fifo : fifos)
-        if (dataflow_core_.machine().fifos[fifo].is_present)
-            channels.push_back(&channel_of(fifo));
-    return channels;
 }
 
 unsigned ProcessClock::loop(std::string_view name) const {
@@ -389,27 +358,6 @@ bool ProcessClock::is_named_by_loop(unsigned port) const {
 void ProcessClock::begin_sample() { dataflow_core_.begin_sample(timing_.index()); }
 
 void ProcessClock::end_sample() { dataflow_core_.end_sample(); }
-
-void ProcessClock::connect_reads(FifoChannel& fifo) {
-    fifos_.push_back(&fifo);
-    fifo.connect_reader(*this, timing_.add_reads(fifo.timing()));
-}
-
-void ProcessClock::connect_writes(FifoChannel& fifo) {
-    fifos_.push_back(&fifo);
-    fifo.connect_writer(*this, timing_.add_writes(fifo.timing()));
-}
-
-unsigned ProcessClock::add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written,
-                                std::vector<FifoChannel*> const& read) {
-    for (FifoChannel const* fifo : written)
-        shape.writes.push_back({fifo->write_port().first(), fifo->timing().shape().write_latency});
-    for (FifoChannel const* fifo : read)
-        shape.reads.push_back({fifo->read_port().first(), fifo->timing().shape().read_stage});
-    if (shape.uses_memory)
-        shape.reads.push_back({timing_.stream_port(), 0});
-    return timing_.add_loop(std::move(shape));
-}
 
 void ProcessClock::catch_up() {
     core_.resolve(false);

@@ -34,9 +34,9 @@ class ProcessClock {
     /// Of a core's process, by its name in the machine. Errors: std::out_of_range if the core has none of that name.
     ProcessClock(DataflowCore& core, std::string_view process);
 
-    /// Everything that the machine says of the process: its ends of FIFOs, in the program order of a step, its loops,
-    /// and how long a setup takes. Once, at the end of elaboration: the core's channels must be there.
-    /// Errors: std::logic_error if a FIFO of the process has no channel.
+    /// Takes the process's ends of all FIFOs that the machine says it has. Once, at the end of elaboration: the core's
+    /// channels must be there. Errors: std::logic_error if a FIFO of the process has no channel; InputError for a loop
+    /// that rewinds and cannot.
     void connect_all();
     /// The number of a loop for enter_loop(), by its name in the process. After connect_all().
     /// Errors: std::out_of_range if the process has no such loop.
@@ -66,18 +66,6 @@ class ProcessClock {
     /// The process is about to begin its next sample, or has done all of one: see DataflowCore.
     void begin_sample();
     void end_sample();
-
-    /// One by one, without a machine: the process's end of a FIFO, in the program order of a step. Once, before
-    /// simulation starts.
-    void connect_reads(FifoChannel& fifo);
-    void connect_writes(FifoChannel& fifo);
-    /// A pipelined loop of the process, the FIFOs it writes, and those it reads (connected before), which need no
-    /// telling in a loop that writes none and reads in the first step of each iteration. The FIFOs tell the stages.
-    /// Returns its number for enter_loop().
-    unsigned add_loop(timing::LoopShape shape, std::vector<FifoChannel*> const& written = {},
-                      std::vector<FifoChannel*> const& read = {});
-    /// The cycles of a setup. Once, before simulation starts.
-    void set_setup_cycles(Cycles cycles) { timing_.set_setup_cycles(cycles); }
 
     /// T += cycles.
     void advance(Cycles cycles) {
@@ -323,7 +311,6 @@ class ProcessClock {
     void wake_behind_flushing();
     void let_out();
 
-    MachineStream const* connect_stream();
     void require_no_late_access(timing::LoopShape const& loop) const;
     void require_memory(unsigned port) const;
     bool is_taken_by_loop() const;
@@ -354,7 +341,6 @@ class ProcessClock {
     void later(FifoChannel const& fifo, std::function<void()> taking);
     std::uint64_t step_of_read(FifoChannel const& fifo) const;
     void put_off(std::uint64_t step, std::function<void()> taking, timing::Ports reads);
-    std::vector<FifoChannel*> channels_of(std::vector<std::size_t> const& fifos) const;
     FifoChannel& channel_of(std::size_t fifo) const;
 
     DataflowCore& dataflow_core_;

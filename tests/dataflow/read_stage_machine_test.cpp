@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "dataflow/core/machine/build_core.hpp"
 #include "dataflow/core/machine/machine.hpp"
 #include "dataflow/run/config/machine_keys.hpp"
 #include "dataflow/run/replay/core_variant.hpp"
@@ -32,34 +33,11 @@ CoreDescription describe_cycle() {
     return core;
 }
 
-/// What a run leaves of its core: ports and loops, but no latencies.
-std::unique_ptr<timing::CoreTiming> blueprint_of(Machine const& machine) {
-    auto core = std::make_unique<timing::CoreTiming>();
-    for (MachineFifo const& fifo : machine.fifos) {
-        timing::FifoShape shape;
-        shape.name = fifo.name;
-        core->add_fifo(shape);
-    }
-    for (MachineProcess const& described : machine.processes) {
-        timing::ProcessTiming& process = core->add_process(described.name);
-        for (MachineEnd const& end : described.ends)
-            end.writes ? process.add_writes(core->fifo(end.fifo)) : process.add_reads(core->fifo(end.fifo));
-        timing::LoopShape shape;
-        shape.name = machine.loops[described.loops.at(0)].name;
-        for (unsigned port = 0; port < process.port_count(); ++port)
-            if (process.writes(port))
-                shape.writes.push_back({port, 0});
-            else
-                shape.reads.push_back({port, 0});
-        process.add_loop(shape);
-    }
-    return core;
-}
-
 /// Of a machine with these settings, by the blueprint of the one without any.
 Cycles retimed_cycles(MachineSettings const& settings) {
-    auto const blueprint = blueprint_of(make_machine(describe_cycle(), {}));
-    auto const core = replay::core_variant(*blueprint, make_machine(describe_cycle(), settings));
+    timing::CoreTiming blueprint;
+    build_core(blueprint, make_machine(describe_cycle(), {}));
+    auto const core = replay::core_variant(blueprint, make_machine(describe_cycle(), settings));
     core->process(1).log().wait(1);
     for (std::size_t i = 0; i < 2; ++i) {
         timing::OperationLog& log = core->process(i).log();

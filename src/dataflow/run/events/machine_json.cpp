@@ -1,9 +1,9 @@
 #include "dataflow/run/events/machine_json.hpp"
 
-#include <algorithm>
-#include <array>
-#include <set>
+#include <memory>
 #include <stdexcept>
+
+#include "dataflow/core/machine/build_core.hpp"
 
 namespace dataflow::events {
 
@@ -102,98 +102,30 @@ Json loops_json(timing::ProcessTiming const& process) {
     return loops;
 }
 
-/// Builds a run's blueprint.
-class MachineReader {
-  public:
-    MachineReader(Machine const& machine, replay::RecordedRun& run) : machine_(machine), run_(run) {
-        run_.blueprint = std::make_unique<timing::CoreTiming>();
-        for (MachineFifo const& fifo : machine_.fifos) {
-            timing::FifoShape shape;
-            shape.name = fifo.name;
-            run_.blueprint->add_fifo(shape);
-        }
-        for (std::size_t const i : streams_of(machine_))
-            run_.blueprint->add_stream(machine_.streams[i].name, machine_.streams[i].enters_by());
-    }
+Json process_json(timing::ProcessTiming const& process) {
+    return {{"process", process.name()}, {"ports", ports_json(process)}, {"loops", loops_json(process)}};
+}
 
-    void read_process(Json const& json) {
-        timing::ProcessTiming& process = run_.blueprint->add_process(json.at("process").get<std::string>());
-        if (process.index() >= machine_.processes.size() || process.name() != machine_.processes[process.index()].name)
-            throw std::invalid_argument("process " + process.name() + " out of order");
-        for (Json const& port : json.at("ports"))
-            read_port(port, process);
-        for (Json const& loop : json.at("loops"))
-            read_loop(loop, process);
+/// Compares what a file says of a process's ports and loops with the machine's, and takes the places in the source.
+class SiteReader {
+  public:
+    explicit SiteReader(replay::RecordedRun& run) : run_(run) {}
+
+    void read(Json const& json, timing::ProcessTiming& process) {
+        if (without_sites(json) != without_sites(process_json(process)))
+            throw std::invalid_argument("process " + process.name() + " has other ports or loops");
+        for (unsigned port = 0; port < process.port_count(); ++port)
+            process.note_site(port, read_site(json.at("ports").at(port).at("source")));
+        for (unsigned loop = 0; loop < process.loops().size(); ++loop)
+            process.note_loop_site(loop, read_site(json.at("loops").at(loop).at("source")));
     }
 
   private:
-    void read_port(Json const& json, timing::ProcessTiming& process) {
-        if (json.contains("memory")) {
-            read_stream(json, process);
-            return;
-        }
-        std::size_t const number = number_of_fifo(json.at("fifo").get<std::string>());
-        MachineFifo const& described = machine_.fifos[number];
-        bool const writes = json.at("access") == "write";
-        if ((writes ? described.writer : described.reader) != process.index() ||
-            !taken_[writes ? 1 : 0].insert(number).second)
-            throw std::invalid_argument("process " + process.name() + " is at no such end of " + described.name);
-        timing::FifoTiming& fifo = run_.blueprint->fifo(number);
-        unsigned const port = writes ? process.add_writes(fifo) : process.add_reads(fifo);
-        process.note_site(port, read_site(json.at("source")));
-    }
-
-    void read_stream(Json const& json, timing::ProcessTiming& process) {
-        std::vector<std::size_t> const streams = streams_of(machine_);
-        for (std::size_t i = 0; i < streams.size() && process.stream() == nullptr; ++i)
-            if (machine_.streams[streams[i]].process == process.index() &&
-                machine_.streams[streams[i]].name == json.at("memory"))
-                process.note_site(process.add_stream(run_.blueprint->stream(i)), read_site(json.at("source")));
-        if (process.stream() == nullptr)
-            throw std::invalid_argument("process " + process.name() + " has no such end of the memory");
-    }
-
-    /// Whether iterations of the loop take tokens from memory.
-    bool uses_memory(std::string const& loop, timing::ProcessTiming const& process) const {
-        return process.stream() != nullptr &&
-               std::any_of(machine_.streams.begin(), machine_.streams.end(), [&](MachineStream const& stream) {
-                   return stream.is_present && !stream.writes && stream.process == process.index() &&
-                          stream.loop == loop;
-               });
-    }
-
-    void read_loop(Json const& json, timing::ProcessTiming& process) {
-        timing::LoopShape shape;
-        shape.name = json.at("loop").get<std::string>();
-        auto const described = std::find_if(machine_.loops.begin(), machine_.loops.end(), [&](MachineLoop const& loop) {
-            return shape.name == loop.name && loop.process == process.index();
-        });
-        if (described == machine_.loops.end())
-            throw std::invalid_argument("unknown loop " + shape.name);
-        shape.interlock_spans = described->shape().interlock_spans;
-        shape.makes_attempts = described->makes_attempts;
-        for (Json const& write : json.at("writes")) {
-            auto const port = write.get<unsigned>();
-            if (port >= process.port_count() || !process.writes(port))
-                throw std::invalid_argument("loop " + shape.name + " writes no such port");
-            shape.writes.push_back({port, 0});
-        }
-        for (Json const& read : json.value("reads", Json::array())) {
-            auto const port = read.get<unsigned>();
-            if (port >= process.port_count() || process.writes(port))
-                throw std::invalid_argument("loop " + shape.name + " reads no such port");
-            shape.reads.push_back({port, 0});
-        }
-        shape.uses_memory = uses_memory(shape.name, process);
-        unsigned const loop = process.add_loop(shape);
-        process.note_loop_site(loop, read_site(json.at("source")));
-    }
-
-    std::size_t number_of_fifo(std::string const& name) const {
-        for (std::size_t i = 0; i < machine_.fifos.size(); ++i)
-            if (machine_.fifos[i].name == name)
-                return i;
-        throw std::invalid_argument("unknown part " + name);
+    static Json without_sites(Json process) {
+        for (char const* const parts : {"ports", "loops"})
+            for (Json& part : process.at(parts))
+                part.erase("source");
+        return process;
     }
 
     SourceSite read_site(Json const& json) {
@@ -201,9 +133,7 @@ class MachineReader {
         return {run_.source_files.back().c_str(), json.at(1).get<unsigned>()};
     }
 
-    Machine const& machine_;
     replay::RecordedRun& run_;
-    std::array<std::set<std::size_t>, 2> taken_;  ///< FIFOs that are read, that are written
 };
 
 }  // namespace
@@ -244,22 +174,18 @@ void read_memory(Json const& index, Machine const& machine, std::size_t samples,
 Json machine_json(timing::CoreTiming const& blueprint) {
     Json processes = Json::array();
     for (timing::ProcessTiming const& process : blueprint.processes())
-        processes.push_back(
-            {{"process", process.name()}, {"ports", ports_json(process)}, {"loops", loops_json(process)}});
+        processes.push_back(process_json(process));
     return processes;
 }
 
 void read_machine(Json const& json, Machine const& machine, replay::RecordedRun& run) {
-    MachineReader reader(machine, run);
-    for (Json const& process : json)
-        reader.read_process(process);
-    if (run.blueprint->processes().size() != machine.process_places())
-        throw std::invalid_argument("missing processes");
-    auto const has_stream = [](timing::ProcessTiming const& process) { return process.stream() != nullptr; };
-    std::deque<timing::ProcessTiming> const& processes = run.blueprint->processes();
-    if (static_cast<std::size_t>(std::count_if(processes.begin(), processes.end(), has_stream)) !=
-        streams_of(machine).size())
-        throw std::invalid_argument("missing ends of the memory");
+    run.blueprint = std::make_unique<timing::CoreTiming>();
+    build_core(*run.blueprint, machine);
+    if (json.size() != run.blueprint->processes().size())
+        throw std::invalid_argument("it has other processes");
+    SiteReader sites(run);
+    for (std::size_t process = 0; process < json.size(); ++process)
+        sites.read(json.at(process), run.blueprint->process(process));
 }
 
 }  // namespace dataflow::events

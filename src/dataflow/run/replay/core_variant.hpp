@@ -6,8 +6,8 @@
 
 namespace dataflow::replay {
 
-/// A core with the processes and FIFOs of another, and the depths, latencies and intervals of a machine. Nothing has
-/// happened in it yet.
+/// A core of a machine with the ends of the external memory and the places in the source that a recorded one has.
+/// Nothing has happened in it yet.
 std::unique_ptr<timing::PhraseCore> core_variant(timing::CoreTiming const& blueprint, Machine const& machine);
 
 }  // namespace dataflow::replay

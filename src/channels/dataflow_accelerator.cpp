@@ -16,6 +16,8 @@ DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, st
         std::string const core_name = "core_" + std::to_string(core);
         CoreShare const share = share_of(core, machine_->cores, samples);
         cores_.push_back(make_core(core_name.c_str(), machine_, share, time_base));
+        if (engine_ == Engine::lockstep)
+            cores_.back()->timing().keep_logs();
     }
     if (machine_->external_memory)
         join_by_memory(*machine_->external_memory);

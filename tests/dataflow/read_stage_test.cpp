@@ -291,6 +291,7 @@ class Timed {
 
     /// As the lockstep engine does: who has the earliest step takes it, and says no more than the operation at hand.
     Outcome run_in_lockstep() {
+        core_.keep_logs();
         for (;;) {
             ProcessTiming* first = nullptr;
             bool has_said = false;

@@ -14,14 +14,19 @@ constexpr std::uint64_t most_room = 4096;  // tokens in FIFOs that a state may h
 constexpr std::uint64_t trial = 1U << 17;
 constexpr std::uint64_t one_in = 4, one_in_at_first = 2;
 
-/// A loop that reads and writes carries setups along, which no state tells.
-bool is_known(LoopShape const& loop) {
-    return loop.reads.empty() && iterations_that_count(loop) <= ProcessFlags::most_begun;
+/// A loop that reads and writes is one of steps: see LoopsInSteps.
+bool is_known(LoopShape const& loop, LoopPlan const& plan) {
+    return (loop.reads.empty() || plan.aligned) && iterations_that_count(loop) <= ProcessFlags::most_begun;
 }
 
-bool is_regular(LoopShape const& loop) {
-    for (LoopWrite const& write : loop.writes)
-        if (write.write_latency != loop.writes.front().write_latency)
+/// Of all loops, none has a delay line.
+bool is_regular(ProcessShape const& shape) {
+    return std::all_of(shape.plans.begin(), shape.plans.end(), [](LoopPlan const& plan) { return plan.aligned; });
+}
+
+bool is_known(ProcessShape const& shape) {
+    for (std::size_t i = 0; i < shape.loops.size(); ++i)
+        if (!is_known(shape.loops[i], shape.plans[i]))
             return false;
     return true;
 }
@@ -44,9 +49,8 @@ bool can_follow(Group const& group) {
         if (member.process->loops().size() > TransitionBench::most_loops || !can_flush(member, group))
             return false;
         std::shared_ptr<ProcessShape const> const shape = member.process->fed_shape();
-        for (LoopShape const& loop : shape->loops)
-            if (!is_known(loop) || (&member != &group.members().front() && !is_regular(loop)))
-                return false;
+        if (!is_known(*shape) || (&member != &group.members().front() && !is_regular(*shape)))
+            return false;
     }
     return true;
 }
@@ -56,13 +60,13 @@ bool can_follow(Group const& group) {
 Automaton::Automaton() = default;
 Automaton::~Automaton() = default;
 
-bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group) {
+bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group, bool in_steps) {
     if (!decided_) {
         decided_ = true;
         next_trial_ = trial;
         usable_ = can_follow(group);
-        auto const& loops = group.driver().loops();
-        driver_is_regular_ = std::all_of(loops.begin(), loops.end(), is_regular);
+        driver_is_regular_ = is_regular(*group.driver().shape());
+        in_steps_ = in_steps;
         if (usable_)
             bench_ = std::make_unique<TransitionBench>(core, lead, leaves_trails_);
     }
@@ -72,7 +76,7 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
         worked_out_before_ = worked_out_;
         next_trial_ = phrases_ + trial;
     }
-    return usable_;
+    return usable_ && in_steps == in_steps_;
 }
 
 /// Whether is_worthwhile() would say no, seen at a glance where a follower is ahead; else begin() has to tell.

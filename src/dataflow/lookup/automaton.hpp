@@ -37,8 +37,9 @@ class Automaton : public Answers, public Passages {
     Automaton(Automaton const&) = delete;
     Automaton& operator=(Automaton const&) = delete;
 
-    /// Whether a core can be followed at all. The first core asked about gives the shape.
-    bool fits(CoreTiming const& core, Lead const& lead, Group const& group);
+    /// Whether a core can be followed at all. The first core asked about gives the shape. `in_steps`: members of the
+    /// group have loops of steps, see LoopsInSteps.
+    bool fits(CoreTiming const& core, Lead const& lead, Group const& group, bool in_steps);
 
     struct Session;
     /// The following of a script by one core.
@@ -162,6 +163,7 @@ class Automaton : public Answers, public Passages {
     bool decided_ = false;
     bool usable_ = false;
     bool driver_is_regular_ = false;
+    bool in_steps_ = false;
     bool leaves_trails_ = false;
     std::unique_ptr<TransitionBench> bench_;
 

@@ -11,6 +11,7 @@ BenchProcess::BenchProcess(ProcessTiming const& process, FigureBlock* figures, T
         figures_.push_back({figures, RelativeState::blocks_of(loop)});
         figures += figures_.back().blocks;
     }
+    awaited_setups_ = figures;
 }
 
 StateWord const* BenchProcess::load(StateWord const* words) {
@@ -36,8 +37,8 @@ std::size_t BenchProcess::most_words() const {
     std::uint64_t longest_lag = 0;
     for (LoopPlan const& plan : shape_->plans)
         longest_lag = std::max(longest_lag, plan.longest_lag);
-    return 1 + ProcessFlags::words + longest_lag + (flushes() ? words_of(state_.flushing) : 0) +
-           words_of_operation * log_.pending();
+    return 1 + ProcessFlags::words + longest_lag + (sets_up_ahead() ? words_of_setups(state_) : 0) +
+           (flushes() ? words_of(state_.flushing) : 0) + words_of_operation * log_.pending();
 }
 
 void BenchProcess::count_end() {

@@ -34,10 +34,11 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
     using Rules::log;
     using Rules::not_before;
     using Rules::plan;
+    using Rules::sets_up_ahead;
     using Rules::state;
     static constexpr unsigned no_port = RelativeState::no_port;
 
-    /// `figures` are those of its loops, see RelativeState::enter(), which grow.
+    /// `figures` are those of its loops and setups, see RelativeState::enter(), which grow.
     BenchProcess(ProcessTiming const& process, FigureBlock* figures, Trail* trail);
     void connect(BenchPort const& port) { ports_[port.number] = port; }
 
@@ -46,7 +47,7 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
     /// A transition begins.
     void start() {
         iterations_before_ = state_.iterations;
-        entered_ = false;
+        entered_ = has_awaited_ = false;
         counted_ = waited_ = 0;
     }
     /// Puts down its words.
@@ -97,12 +98,14 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
     unsigned parked_at() const { return parked_at_; }
     void set_parked_at(unsigned port) { parked_at_ = port; }
 
-    /// Visits the figures of its loops that may have grown since start().
+    /// Visits the figures of its loops and setups that may have grown since start().
     template <class Visit> void each_figures(Visit visit) const {
         for_each_bit(counted_, [&](unsigned loop) {
             for (std::uint32_t i = 0; i < figures_[loop].blocks; ++i)
                 visit(figures_[loop].first[i]);
         });
+        if (has_awaited_)
+            visit(*awaited_setups_);
     }
     /// FIFOs that it may have waited for since start(), besides those that it accessed, a bit each.
     std::uint32_t waited() const { return waited_; }
@@ -139,9 +142,12 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
     void entered_again() const {}
     void count_end();
     void left() const {}
-    void awaited_setup(std::int64_t /*cycles*/) const {}  // in no phrase
-    void awaited_write(Cycles /*cycles*/) const {}        // in no phrase
-    void stamped() const {}                               // in no phrase
+    void awaited_setup(std::int64_t cycles) {
+        awaited_setups_->sums[0] += static_cast<std::uint32_t>(cycles);
+        has_awaited_ = true;
+    }
+    void awaited_write(Cycles /*cycles*/) const {}  // in no phrase
+    void stamped() const {}                         // in no phrase
     void let_bubbles_in(BenchPort const& port, std::int64_t bubbles, std::int64_t /*from*/) { charge(port, bubbles); }
     void lets_out(BenchPort const& port, std::int64_t due, std::int64_t cycle) {
         if (cycle > due)
@@ -151,6 +157,8 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
 
     std::vector<BenchPort> ports_;
     std::vector<LoopFigures> figures_;  ///< by loop
+    FigureBlock* awaited_setups_ = nullptr;
+    bool has_awaited_ = false;
     std::uint64_t iterations_before_ = 0;
     bool entered_ = false;
     std::uint32_t counted_ = 0;   ///< loops with figures, a bit each

@@ -29,10 +29,29 @@ void FollowedCore::note_trail(Trail& trail) {
     trail.set_passages(automaton_.get());
 }
 
-bool FollowedCore::is_followed() { return automaton_ != nullptr && automaton_->fits(*this, lead(), *group()); }
+void FollowedCore::note_connected() {
+    if (!keeps_logs())
+        for (ProcessTiming& process : own_processes())
+            if (std::unique_ptr<LoopsInSteps> loops = LoopsInSteps::of(process))
+                in_steps_.push_back(std::move(loops));
+    PhraseCore::note_connected();
+    if (group() != nullptr)
+        for (std::unique_ptr<LoopsInSteps> const& loops : in_steps_)
+            is_group_in_steps_ = is_group_in_steps_ || group()->has(loops->process());
+}
+
+void FollowedCore::look_at_logs() {
+    for (std::unique_ptr<LoopsInSteps> const& loops : in_steps_)
+        loops->rewrite();
+}
+
+bool FollowedCore::is_followed() {
+    return automaton_ != nullptr && automaton_->fits(*this, lead(), *group(), is_group_in_steps_);
+}
 
 void FollowedCore::resume(ProcessMask processes) {
     connect();
+    look_at_logs();
     if (!is_followed()) {
         resolve_processes(processes);
     } else {
@@ -59,10 +78,11 @@ void FollowedCore::go_on(bool to_the_end) {
 void FollowedCore::take_up(Script& script) {
     PhraseCore::take_up(script);
     walk_ = {group(), &session_, &script, nullptr, nullptr, nullptr, 0};
-    follows_ = is_followed();
+    follows_ = !is_group_in_steps_ && is_followed();
 }
 
 bool FollowedCore::set_out() {
+    look_at_logs();
     while (!script()->done()) {
         if (follows_ && group_has_started()) {
             settle(all_processes(), bit_of(lead().driver));

@@ -1,7 +1,9 @@
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "dataflow/lookup/automaton.hpp"
+#include "dataflow/lookup/loops_in_steps.hpp"
 #include "dataflow/lookup/steady_state.hpp"
 #include "dataflow/phrases/phrase_core.hpp"
 
@@ -28,6 +30,8 @@ class FollowedCore : public PhraseCore {
     ProcessMask run_ahead(ProcessTiming& process) override { return steady_state_.observe(process, own_processes()); }
     void complete_counters() override;
     void note_trail(Trail& trail) override;
+    void note_connected() override;
+    void look_at_logs() override;
 
     bool is_followed();
     bool group_has_started();
@@ -36,6 +40,8 @@ class FollowedCore : public PhraseCore {
     void write_next_phrase();
 
     SteadyState steady_state_;
+    std::vector<std::unique_ptr<LoopsInSteps>> in_steps_;  ///< of processes that have loops of steps
+    bool is_group_in_steps_ = false;                       ///< members of the group
     std::shared_ptr<Automaton> automaton_;
     Automaton::Session session_;
     Automaton::Walk walk_;

@@ -68,6 +68,8 @@ std::size_t RelativeState::most_words() const {
         words += 1 + ProcessFlags::words + words_of_operation * member.process->log().pending();
         if (member.process->flushes())
             words += words_of(ProcessTiming::View(*member.process).state().flushing);
+        if (member.process->shape()->sets_up_ahead)
+            words += words_of_setups(ProcessTiming::View(*member.process).state());
         for (LoopPlan const& plan : member.process->shape()->plans)
             words += plan.longest_lag;
     }
@@ -111,7 +113,7 @@ std::uint32_t RelativeState::blocks_of(ProcessTiming const& process) {
     std::uint32_t blocks = 0;
     for (LoopShape const& loop : process.loops())
         blocks += blocks_of(loop);
-    return blocks;
+    return blocks + (process.shape()->sets_up_ahead ? 1 : 0);
 }
 
 std::uint32_t RelativeState::blocks() const {
@@ -138,7 +140,7 @@ void RelativeState::enter(FigureTotals const& figures) {
     }
 }
 
-/// Returns what is behind its loops' figures.
+/// Returns what is behind its figures.
 FigureTotals::const_iterator RelativeState::enter(ProcessTiming& process, FigureTotals::const_iterator figures) {
     for (unsigned i = 0; i < process.loops().size(); ++i) {
         LoopCounters& loop = ProcessTiming::View(process).figures().loops[i];
@@ -151,6 +153,8 @@ FigureTotals::const_iterator RelativeState::enter(ProcessTiming& process, Figure
         loop.port_conflict_beyond_end += figures->sums[1];
         ++figures;
     }
+    if (process.shape()->sets_up_ahead)
+        ProcessTiming::View(process).figures().awaited_setup_cycles += (figures++)->sums[0];
     return figures;
 }
 

@@ -7,6 +7,7 @@
 #include "dataflow/core/time/fifo_rules.hpp"
 #include "dataflow/core/time/flushing_pipeline.hpp"
 #include "dataflow/core/time/operation.hpp"
+#include "dataflow/core/time/process_rules.hpp"
 
 namespace dataflow::timing {
 
@@ -167,6 +168,22 @@ template <class Time> StateWord const* load_flushing(FlushingPipeline<Time>& flu
     return words;
 }
 
+/// Setups that have begun are their number, and when each will be done. One that is done decides nothing: it could as
+/// well be done now.
+template <class Time> std::size_t words_of_setups(ProcessState<Time> const& state) {
+    return 1 + state.setups_done.size();
+}
+template <class Time> void save_setups(ProcessState<Time> const& state, StatePage& page) {
+    page.put(static_cast<StateWord>(state.setups_done.size()));
+    for (Time const done : state.setups_done)
+        page.put_time(static_cast<std::int64_t>(std::max(done, state.time)));
+}
+template <class Time> StateWord const* load_setups(std::vector<Time>& setups, Time base, StateWord const* words) {
+    for (StateWord left = *words++; left > 0; --left)
+        setups.push_back(base + static_cast<Time>(std::int64_t{*words++}));
+    return words;
+}
+
 /// What the words of a process say besides where it stands: `flags` has what the process itself does not know.
 template <class Process> void save_process(Process const& process, ProcessFlags flags, bool with_log, StatePage& page) {
     auto const& state = process.state();
@@ -180,6 +197,8 @@ template <class Process> void save_process(Process const& process, ProcessFlags 
         page.put(state.pipeline.iteration < lag ? 0 : state.delayed(lag));
     if (process.flushes())
         save_flushing(state.flushing, page);
+    if (process.sets_up_ahead())
+        save_setups(state, page);
     for (std::size_t i = 0; i < flags.left; ++i)
         page.put_operation(process.log().begin()[i].code());
 }
@@ -197,6 +216,8 @@ StateWord const* load_process(Process& process, typename Process::Time base, Sta
         process.restore_delayed(lag, static_cast<Ports::Number>(*words++));
     if (process.flushes())
         words = load_flushing(process.restored_flushing(), words);
+    if (process.sets_up_ahead())
+        words = load_setups(process.restored_setups(), base, words);
     for (std::size_t i = flags.left; i > 0; --i)
         process.put_back(Operation(code_of(words + words_of_operation * (i - 1))));
     return words + words_of_operation * flags.left;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -40,6 +41,10 @@ class Group {
     static constexpr std::size_t most_followers = sizeof(Lanes) * 8 / lane_bits;
     /// 1 for each follower whose anchor the driver accesses at a mask of ports.
     Lanes followers_at(Ports::Number driver_ports) const { return followers_at_[driver_ports]; }
+    bool has(ProcessTiming const& process) const {
+        return std::any_of(members_.begin(), members_.end(),
+                           [&process](Member const& member) { return member.process == &process; });
+    }
     ProcessTiming& driver() const { return *members_.front().process; }
     /// The first follower that writes its anchor, and so is ahead of the driver.
     bool has_supplier() const { return supplier_ != 0; }

@@ -141,6 +141,7 @@ Cycles CoreTiming::unknown_from() const {
 
 void CoreTiming::resolve(bool to_the_end) {
     connect();
+    look_at_logs();
     go_on(to_the_end);
     if (to_the_end)
         complete_counters();
@@ -157,6 +158,7 @@ void CoreTiming::go_on(bool /*to_the_end*/) {
 
 void CoreTiming::resolve_processes(ProcessMask processes) {
     connect();
+    look_at_logs();
     settle(processes, 0);
     while (!streams_.empty() && keep_more())
         settle(all_processes(), 0);

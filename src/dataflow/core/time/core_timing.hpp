@@ -60,6 +60,11 @@ class CoreTiming {
     /// Works out what can be where only some processes, a bit each, have more to do than before.
     void resolve_processes(ProcessMask processes);
 
+    /// Somebody goes step by step through what processes are told, copies the core, or follows its trail: nobody may
+    /// put that into another form. Before anything has happened.
+    void keep_logs() { keeps_logs_ = true; }
+    bool keeps_logs() const { return keeps_logs_ || trail_ != nullptr; }
+
     /// A core that stands where this one does and goes on by itself, from the operations logged so far. It
     /// remembers nothing.
     std::unique_ptr<CoreTiming> copy();
@@ -101,6 +106,8 @@ class CoreTiming {
     virtual ProcessMask run_ahead(ProcessTiming& /*process*/) { return 0; }
     /// Enters in the counters of processes and FIFOs what is kept elsewhere.
     virtual void complete_counters() {}
+    /// Before processes go on, which may have been told more.
+    virtual void look_at_logs() {}
     /// Everybody's FIFOs are known now.
     virtual void note_connected() {}
     virtual void note_trail(Trail& /*trail*/) {}
@@ -124,6 +131,7 @@ class CoreTiming {
     std::deque<ProcessTiming> processes_;
     std::vector<Ends> ends_;            // by FIFO
     std::vector<ProcessMask> patient_;  // by process: those that need not go on at once when it has
+    bool keeps_logs_ = false;
     std::unique_ptr<Trail> trail_;
     ShortenTrail shorten_trail_ = nullptr;
 };

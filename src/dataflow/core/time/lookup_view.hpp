@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "dataflow/core/time/fifo_timing.hpp"
@@ -16,6 +18,9 @@ class ProcessTiming::View {
 
     /// The process by its rules, which save and restore where it stands.
     Rules& rules() const { return process_.rules(); }
+    /// How it does what it is told. To be changed before it has done anything.
+    ProcessShape const& shape() const { return *process_.shape_; }
+    void set_shape(std::shared_ptr<ProcessShape> shape) const { process_.shape_ = std::move(shape); }
     /// Where it stands.
     ProcessState<Cycles>& state() const { return process_.state_; }
     /// Of the loop it is in, or was in last.

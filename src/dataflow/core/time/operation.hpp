@@ -171,7 +171,7 @@ class OperationLog {
     void wait(std::uint32_t cycles) {
         Operation& last = operations_.back();
         bool const extends =
-            !exhausted() && last.gap() == 0 && (last.kind() == Kind::step || last.kind() == Kind::wait);
+            has_open_end() && last.gap() == 0 && (last.kind() == Kind::step || last.kind() == Kind::wait);
         if (extends && last.count() + cycles <= Operation::longest_count)
             last.add(cycles);
         else
@@ -211,7 +211,7 @@ class OperationLog {
     void leave() { append(Operation(Kind::leave, 0, 0, 0)); }
     void stamp() { append(Operation(Kind::stamp, 0, 0, 0)); }
     void iterate(Ports::Number ports, std::uint32_t gap, std::uint32_t count) {
-        if (count > 0 && !(operations_.size() > next_ && extend(operations_.back(), ports, gap, count)))
+        if (count > 0 && !(has_open_end() && extend(operations_.back(), ports, gap, count)))
             append(Operation(Kind::iterate, ports, gap, count));
     }
     /// iterate(), then one iteration that accesses `tail_ports`, and `tail_gap` that access nothing.
@@ -242,6 +242,18 @@ class OperationLog {
     Operation const& front() const { return operations_[next_]; }
     /// With nothing split off.
     Operation& whole_front() { return operations_[next_]; }
+
+    // Who tells and who takes need not be of one mind: operations may be taken out and put back in another form.
+
+    /// Takes out what was told since note_taken(). False: nothing.
+    bool take_told(std::vector<Operation>& told) {
+        std::size_t const first = std::max(next_, taken_);
+        told.assign(operations_.begin() + static_cast<std::ptrdiff_t>(first), operations_.end());
+        operations_.resize(first);
+        return !told.empty();
+    }
+    /// What there is now is not extended any more.
+    void note_taken() { taken_ = operations_.size(); }
 
     /// Takes the front operation out. Keeps the storage, and a harmless first entry for the mergers to look at.
     void consume() {
@@ -285,20 +297,23 @@ class OperationLog {
     void put_back(Operation const& operation) {
         if (next_ > 1)
             operations_[--next_] = operation;
-        else
+        else {
             operations_.insert(operations_.begin() + 1, operation);
+            ++taken_;
+        }
     }
 
     void clear() {
         operations_.resize(1);
         operations_.front() = Operation{};
-        next_ = 1;
+        next_ = taken_ = 1;
     }
 
     /// Gives back the room of operations long gone, so that a process that is always ahead does not fill the memory.
     void compact() {
         if (next_ > 4096 && 2 * next_ > operations_.size()) {
             operations_.erase(operations_.begin() + 1, operations_.begin() + static_cast<std::ptrdiff_t>(next_));
+            taken_ -= std::min(taken_, next_) - 1;
             next_ = 1;
         }
     }
@@ -394,8 +409,12 @@ class OperationLog {
         return true;
     }
 
+    /// Its last operation may become longer.
+    bool has_open_end() const { return operations_.size() > next_ && operations_.size() > taken_; }
+
     std::vector<Operation> operations_{Operation{}};
     std::size_t next_ = 1;
+    std::size_t taken_ = 1;  ///< up to here, operations are as they were put back
 };
 
 }  // namespace dataflow::timing

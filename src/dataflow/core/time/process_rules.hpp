@@ -124,6 +124,11 @@ template <class Process, class Port> class ProcessRules {
         state_.pipeline.iteration = plan_->longest_lag;
     }
     void restore_delayed(std::uint64_t lag, Ports::Number ports) { state_.delayed(lag) = ports; }
+    bool sets_up_ahead() const { return shape_->sets_up_ahead; }
+    std::vector<Time>& restored_setups() {
+        state_.setups_done.clear();
+        return state_.setups_done;
+    }
     FlushingPipeline<Time>& restored_flushing() {
         state_.flushing.clear();
         return state_.flushing;

@@ -48,6 +48,14 @@ LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting
         delay_line_length *= 2;
 }
 
+LoopPlan LoopPlan::in_steps() const {
+    LoopPlan plan = *this;
+    plan.aligned = true;
+    plan.drain -= static_cast<std::int64_t>(longest_lag * ii);
+    plan.longest_lag = 0;
+    return plan;
+}
+
 std::optional<Cycles> LoopPlan::step_of(unsigned port) const {
     for (LoopPhase const& phase : phases)
         for (auto const& [number, lag] : phase.ports)

@@ -62,6 +62,9 @@ struct LoopPhase {
 /// read and to write.
 struct LoopPlan {
     explicit LoopPlan(LoopShape const& loop);
+    /// Of a loop with one step per iteration, told by steps instead of iterations, and behind those by as many steps as
+    /// the longest lag: see LoopsInSteps.
+    LoopPlan in_steps() const;
     /// Steps from an iteration's first to the one that accesses a port; none: it does not.
     std::optional<Cycles> step_of(unsigned port) const;
 
@@ -87,6 +90,7 @@ struct ProcessShape {
     std::vector<LoopShape> loops;
     std::vector<LoopPlan> plans;  ///< of the loops
     Cycles setup_cycles = 0;      ///< of one setup
+    bool sets_up_ahead = false;   ///< setups may take their time beside a loop: one that both reads and writes
     CallStart call_start;
     Cycles stamps_back = 0;      ///< cycles between what a stamp notes and the local time
     Cycles flushing_stages = 0;  ///< of its FlushingPipeline; 0: it has none

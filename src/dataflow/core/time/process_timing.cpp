@@ -34,6 +34,7 @@ unsigned ProcessTiming::add_stream(MemoryStream& stream) {
 
 unsigned ProcessTiming::add_loop(LoopShape shape) {
     shape_->plans.emplace_back(shape);
+    shape_->sets_up_ahead = shape_->sets_up_ahead || (!shape.reads.empty() && !shape.writes.empty());
     shape_->loops.push_back(std::move(shape));
     figures_.loops.emplace_back();
     loop_sites_.emplace_back();

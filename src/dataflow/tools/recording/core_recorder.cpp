@@ -61,6 +61,7 @@ CoreRecorder::CoreRecorder(RunningCore& core, RecordingWindow const& window) : c
     }
     if (phase_ == Phase::done)
         return;
+    core.timing().keep_logs();
     spools_.resize(core.timing().processes().size());
     told_loops_.resize(spools_.size());
     for (std::size_t fifo = 0; fifo < core.machine().fifos.size(); ++fifo)

@@ -1,0 +1,198 @@
+#include "dataflow/lookup/loops_in_steps.hpp"
+
+#include <algorithm>
+
+namespace dataflow::timing {
+
+namespace {
+using Kind = Operation::Kind;
+constexpr std::uint64_t longest_lag = 4096;
+
+/// Equal iterations at the front of a log, without silent ones in between.
+struct Run {
+    Ports::Number ports = 0;
+    std::uint32_t count = 0;
+};
+
+Run take_run(OperationLog& log, std::uint64_t most) {
+    Operation const operation = log.front();
+    bool const has_tail = operation.tail_ports() != 0;
+    auto const count = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, operation.count()));
+    if (operation.gap() == 0) {
+        bool const is_whole = count == operation.count() && !has_tail;
+        log.consume(is_whole ? 1 : 0, is_whole ? 0 : count);
+        return {operation.ports(), count};
+    }
+    bool const is_last = operation.count() == 1 && !has_tail;
+    log.consume(is_last ? 1 : 0, is_last ? 0 : 1);
+    log.put_back(Operation(Kind::iterate, 0, 0, operation.gap()));
+    return {operation.ports(), 1};
+}
+
+bool iterates(Operation const& operation) {
+    return operation.kind() == Kind::iterate || operation.kind() == Kind::mixed || operation.kind() == Kind::flanked;
+}
+
+/// What the process does between its own accesses must not be told apart from what others do.
+bool reads_what_it_writes(ProcessTiming const& process) {
+    for (unsigned one = 0; one < process.port_count(); ++one)
+        for (unsigned other = 0; other < one; ++other)
+            if (&process.fifo(one) == &process.fifo(other))
+                return true;
+    return false;
+}
+}  // namespace
+
+std::unique_ptr<LoopsInSteps> LoopsInSteps::of(ProcessTiming& process) {
+    std::vector<LoopShape> const& loops = process.loops();
+    bool const makes_attempts =
+        std::any_of(loops.begin(), loops.end(), [](LoopShape const& loop) { return loop.makes_attempts; });
+    if (makes_attempts || process.flushes() || process.stream() != nullptr || reads_what_it_writes(process))
+        return nullptr;
+    auto shape = std::make_shared<ProcessShape>(*process.shape());
+    std::vector<std::optional<Steps>> steps;
+    bool has_any = false;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        steps.push_back(steps_of(loops[i], shape->plans[i]));
+        if (!steps.back())
+            continue;
+        shape->plans[i] = shape->plans[i].in_steps();
+        has_any = true;
+    }
+    if (!has_any)
+        return nullptr;
+    ProcessTiming::View(process).set_shape(std::move(shape));
+    return std::unique_ptr<LoopsInSteps>(new LoopsInSteps(process, std::move(steps)));
+}
+
+std::optional<LoopsInSteps::Steps> LoopsInSteps::steps_of(LoopShape const& loop, LoopPlan const& plan) {
+    bool const writes_at_once = std::all_of(loop.writes.begin(), loop.writes.end(), [&loop](LoopWrite const& write) {
+        return write.write_latency == loop.writes.front().write_latency;
+    });
+    if (plan.aligned || loop.rewinds || plan.phases.size() != 1 || plan.longest_lag > longest_lag || !writes_at_once ||
+        loop.reads.empty() || loop.writes.empty())
+        return std::nullopt;
+    Steps steps;
+    steps.lag = static_cast<std::uint32_t>(plan.longest_lag);
+    for (auto const& [port, lag] : plan.phases.front().ports) {
+        if (port >= Ports::in_masks || (lag != 0 && lag != plan.longest_lag))
+            return std::nullopt;
+        (lag == 0 ? steps.early : steps.late) |= Ports::of(port).number();
+    }
+    return steps;
+}
+
+void LoopsInSteps::rewrite() {
+    OperationLog& log = process_.log();
+    if (!log.take_told(told_))
+        return;
+    for (Operation const& operation : told_)
+        take(operation);
+    pass_due();
+    end_run();
+    log.note_taken();
+    late_.compact();
+}
+
+void LoopsInSteps::take(Operation const& operation) {
+    if (steps_ == nullptr) {
+        put(operation);
+        if (operation.kind() == Kind::enter)
+            enter(operation.count());
+    } else if (iterates(operation)) {
+        iterate(operation);
+    } else if (operation.kind() == Kind::leave) {
+        leave();
+        put(operation);
+    } else {  // happens between two steps
+        pass_due();
+        put(operation);
+    }
+}
+
+void LoopsInSteps::enter(std::size_t loop) {
+    if (!loops_[loop])
+        return;
+    steps_ = &*loops_[loop];
+    interval_ = static_cast<std::uint32_t>(process_.loops()[loop].interval.achieved);
+    late_.clear();
+    if (steps_->lag > 0)
+        late_.append(Operation(Kind::iterate, 0, 0, steps_->lag));
+}
+
+void LoopsInSteps::iterate(Operation const& operation) {
+    if ((operation.all_ports() & ~steps_->late) != 0) {
+        iterate_in_both(operation);
+        return;
+    }
+    late_.append(operation);
+    due_ += operation.iterations();
+    pass_whole();
+}
+
+void LoopsInSteps::iterate_in_both(Operation const& operation) {
+    pass_due();
+    OperationLog iterations;
+    iterations.append(operation);
+    while (!iterations.exhausted()) {
+        Run const run = take_run(iterations, Operation::longest_count);
+        late_.append(Operation(Kind::iterate, run.ports & steps_->late, 0, run.count));
+        for (std::uint32_t left = run.count; left > 0;) {
+            Run const late = take_run(late_, left);
+            put(static_cast<Ports::Number>((run.ports & steps_->early) | late.ports), late.count);
+            left -= late.count;
+        }
+    }
+}
+
+/// What is left belongs to iterations that have begun.
+void LoopsInSteps::leave() {
+    pass_due();
+    end_run();
+    while (!late_.exhausted()) {
+        Run const run = take_run(late_, Operation::longest_count);
+        for (std::uint32_t i = 0; i < run.count; ++i)
+            put(run.ports == 0 ? Operation(Kind::wait, 0, 0, interval_)
+                               : Operation(Kind::step, run.ports, 0, interval_));
+    }
+    steps_ = nullptr;
+}
+
+/// Operations of which all steps are due.
+void LoopsInSteps::pass_whole() {
+    while (!late_.exhausted() && late_.begin()->iterations() <= due_) {
+        Operation const operation = *late_.begin();
+        due_ -= operation.iterations();
+        late_.consume();
+        put(operation);
+    }
+}
+
+void LoopsInSteps::pass_due() {
+    pass_whole();
+    while (due_ > 0) {
+        Run const run = take_run(late_, due_);
+        due_ -= run.count;
+        put(run.ports, run.count);
+    }
+}
+
+void LoopsInSteps::put(Ports::Number ports, std::uint32_t steps) {
+    if (run_ > 0 && (ports != run_ports_ || run_ + steps > Operation::longest_count))
+        end_run();
+    run_ports_ = ports;
+    run_ += steps;
+}
+
+void LoopsInSteps::put(Operation const& operation) {
+    end_run();
+    process_.log().append(operation);
+}
+
+void LoopsInSteps::end_run() {
+    if (run_ > 0)
+        process_.log().append(Operation(Kind::iterate, run_ports_, 0, run_));
+    run_ = 0;
+}
+
+}  // namespace dataflow::timing

@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "dataflow/core/time/lookup_view.hpp"
+
+namespace dataflow::timing {
+
+/// Speed: an iteration of a loop that reads and writes accesses some ports in its first step, and all others a number
+/// of steps later, the *lag*. So each step does what one iteration does at once and an earlier one does late. Told step
+/// by step, it is a loop without a delay line, whose steps access all their ports at once; what is left of the last
+/// iterations is steps behind them:
+///
+///     iteration     0   1   2   3                       step    0   1   2   3   4   5
+///     reads         v   v   .   .                       reads   v   v   .   .
+///     writes        a   .   b   c   2 steps later  ->   writes          a   .   b   c
+///
+/// Cycles and figures are the same. Rewrites what one process is told of such loops.
+class LoopsInSteps {
+  public:
+    /// Null: the process has no such loop, or may do what needs its loops as they are. Otherwise the process has loops
+    /// of steps from here on, and its log is rewritten each time before it goes on. Before it has done anything.
+    static std::unique_ptr<LoopsInSteps> of(ProcessTiming& process);
+
+    ProcessTiming const& process() const { return process_; }
+    /// What has been told since the last time.
+    void rewrite();
+
+  private:
+    /// Of a loop.
+    struct Steps {
+        std::uint32_t lag = 0;
+        Ports::Number early = 0, late = 0;  ///< masks
+    };
+
+    LoopsInSteps(ProcessTiming& process, std::vector<std::optional<Steps>> loops)
+        : process_(process), loops_(std::move(loops)) {}
+    static std::optional<Steps> steps_of(LoopShape const& loop, LoopPlan const& plan);
+
+    void take(Operation const& operation);
+    void enter(std::size_t loop);
+    void iterate(Operation const& operation);
+    void iterate_in_both(Operation const& operation);
+    void leave();
+    void pass_whole();
+    void pass_due();
+    void put(Ports::Number ports, std::uint32_t steps);
+    void put(Operation const& operation);
+    void end_run();
+
+    ProcessTiming& process_;
+    std::vector<std::optional<Steps>> loops_;  ///< none: told as it is
+    Steps const* steps_ = nullptr;             ///< of the loop that it is in
+    std::uint32_t interval_ = 1;               ///< of that loop, achieved
+    OperationLog late_;                        ///< what iterations do late that no step does yet
+    std::uint64_t due_ = 0;                    ///< steps of those that have begun
+    Ports::Number run_ports_ = 0;              ///< of steps to be put down
+    std::uint32_t run_ = 0;
+    std::vector<Operation> told_;
+};
+
+}  // namespace dataflow::timing

@@ -53,7 +53,7 @@ std::unique_ptr<LoopsInSteps> LoopsInSteps::of(ProcessTiming& process) {
     std::vector<std::optional<Steps>> steps;
     bool has_any = false;
     for (std::size_t i = 0; i < loops.size(); ++i) {
-        steps.push_back(steps_of(loops[i], shape->plans[i]));
+        steps.push_back(steps_of(process, loops[i], shape->plans[i]));
         if (!steps.back())
             continue;
         shape->plans[i] = shape->plans[i].in_steps();
@@ -65,13 +65,20 @@ std::unique_ptr<LoopsInSteps> LoopsInSteps::of(ProcessTiming& process) {
     return std::unique_ptr<LoopsInSteps>(new LoopsInSteps(process, std::move(steps)));
 }
 
-std::optional<LoopsInSteps::Steps> LoopsInSteps::steps_of(LoopShape const& loop, LoopPlan const& plan) {
-    bool const writes_at_once = std::all_of(loop.writes.begin(), loop.writes.end(), [&loop](LoopWrite const& write) {
-        return write.write_latency == loop.writes.front().write_latency;
-    });
-    if (plan.aligned || loop.rewinds || plan.phases.size() != 1 || plan.longest_lag > longest_lag || !writes_at_once ||
+/// Where somebody reads what is written at once and what is written late, the automaton cannot take back what he has
+/// waited for the one when he waits for the other for ever.
+std::optional<LoopsInSteps::Steps> LoopsInSteps::steps_of(ProcessTiming& process, LoopShape const& loop,
+                                                          LoopPlan const& plan) {
+    if (plan.aligned || loop.rewinds || plan.phases.size() != 1 || plan.longest_lag > longest_lag ||
         loop.reads.empty() || loop.writes.empty())
         return std::nullopt;
+    auto const readers_of = [&process](Ports::Number ports) {
+        ProcessMask readers = 0;
+        Ports(ports).each([&](unsigned port) {
+            readers |= process.writes(port) ? ProcessTiming::View(process).port(port).neighbour : 0;
+        });
+        return readers;
+    };
     Steps steps;
     steps.lag = static_cast<std::uint32_t>(plan.longest_lag);
     for (auto const& [port, lag] : plan.phases.front().ports) {
@@ -79,6 +86,8 @@ std::optional<LoopsInSteps::Steps> LoopsInSteps::steps_of(LoopShape const& loop,
             return std::nullopt;
         (lag == 0 ? steps.early : steps.late) |= Ports::of(port).number();
     }
+    if ((readers_of(steps.early) & readers_of(steps.late)) != 0)
+        return std::nullopt;
     return steps;
 }
 

@@ -37,7 +37,7 @@ class LoopsInSteps {
 
     LoopsInSteps(ProcessTiming& process, std::vector<std::optional<Steps>> loops)
         : process_(process), loops_(std::move(loops)) {}
-    static std::optional<Steps> steps_of(LoopShape const& loop, LoopPlan const& plan);
+    static std::optional<Steps> steps_of(ProcessTiming& process, LoopShape const& loop, LoopPlan const& plan);
 
     void take(Operation const& operation);
     void enter(std::size_t loop);

@@ -237,21 +237,18 @@ class CoreSimulation {
         std::uint64_t holds;
     };
     std::optional<HandOver> hand_over_awaited(std::size_t number) const {
-        OfProcess const& process = processes[number];
-        Step const& step = process.steps[process.next];
-        if (step.begins && design_.calls == CallOrder::in_turn)
-            for (std::size_t i = 0; i < processes.size(); ++i)
-                if (processes[i].ends.size() < *step.begins)
-                    return number == 0 && i > 0 ? HandOver{design_.processes[i].name + "_ends", true, i, 1}
-                                                : HandOver{design_.processes[number].name + "_begins", false, 0, 0};
-        for (std::size_t const buffer : step.calls ? design_.processes[number].buffers : Accesses()) {
-            Fifo const& fifo = design_.fifos[buffer];
-            if (fifo.writer == number && *step.calls >= processes[fifo.reader].ends.size() + fifo.depth)
-                return HandOver{fifo.name, true, fifo.reader, fifo.depth};
-            if (fifo.reader == number && *step.calls >= processes[fifo.writer].ends.size())
-                return HandOver{fifo.name + "_filled", false, fifo.writer, 0};
-        }
-        return std::nullopt;
+        if (std::optional<HandOver> const turn = turn_awaited(number))
+            return turn;
+        std::vector<HandOver> const awaited = buffers_awaited(number);
+        return awaited.empty() ? std::nullopt : std::optional<HandOver>(awaited.front());
+    }
+    /// The one that is named: of several buffers one that it reads, if there is any.
+    std::optional<HandOver> hand_over_named(std::size_t number) const {
+        if (!turn_awaited(number))
+            for (HandOver const& awaited : buffers_awaited(number))
+                if (!awaited.writes)
+                    return awaited;
+        return hand_over_awaited(number);
     }
     /// When a process got to the step to come: not before the call of all begins that it is part of.
     Cycles arrival(std::size_t number) const {
@@ -282,6 +279,29 @@ class CoreSimulation {
     }
 
   private:
+    std::optional<HandOver> turn_awaited(std::size_t number) const {
+        Step const& step = processes[number].steps[processes[number].next];
+        if (step.begins && design_.calls == CallOrder::in_turn)
+            for (std::size_t i = 0; i < processes.size(); ++i)
+                if (processes[i].ends.size() < *step.begins)
+                    return number == 0 && i > 0 ? HandOver{design_.processes[i].name + "_ends", true, i, 1}
+                                                : HandOver{design_.processes[number].name + "_begins", false, 0, 0};
+        return std::nullopt;
+    }
+    /// In program order.
+    std::vector<HandOver> buffers_awaited(std::size_t number) const {
+        Step const& step = processes[number].steps[processes[number].next];
+        std::vector<HandOver> awaited;
+        for (std::size_t const buffer : step.calls ? design_.processes[number].buffers : Accesses()) {
+            Fifo const& fifo = design_.fifos[buffer];
+            if (fifo.writer == number && *step.calls >= processes[fifo.reader].ends.size() + fifo.depth)
+                awaited.push_back({fifo.name, true, fifo.reader, fifo.depth});
+            if (fifo.reader == number && *step.calls >= processes[fifo.writer].ends.size())
+                awaited.push_back({fifo.name + "_filled", false, fifo.writer, 0});
+        }
+        return awaited;
+    }
+
     void leave_rests(OfProcess& process) const {
         while (!process.is_done() && process.steps[process.next].rest &&
                fifos[*process.steps[process.next].rest].read.size() >= process.steps[process.next].rest_until)
@@ -428,7 +448,7 @@ void add_waits(Design const& design, std::size_t core, CoreSimulation const& sim
             continue;
         std::string line;
         Cycles const since = simulation.waits_since(i);
-        if (auto const awaited = simulation.hand_over_awaited(i); awaited)
+        if (auto const awaited = simulation.hand_over_named(i); awaited)
             line = wait_line(core, design.processes[i].name, awaited->fifo, awaited->writes, since,
                              design.processes[awaited->other].name, awaited->holds);
         else

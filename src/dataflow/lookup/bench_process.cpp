@@ -25,7 +25,7 @@ StateWord const* BenchProcess::load(StateWord const* words) {
     return words;
 }
 
-void BenchProcess::save(StatePage& page) const {
+void BenchProcess::save(StatePage& page) {
     ProcessFlags flags;
     flags.next_ports = outlook_ports_;
     flags.frozen = frozen_;
@@ -38,7 +38,8 @@ std::size_t BenchProcess::most_words() const {
     for (LoopPlan const& plan : shape_->plans)
         longest_lag = std::max(longest_lag, plan.longest_lag);
     return 1 + ProcessFlags::words + longest_lag + (sets_up_ahead() ? words_of_setups(state_) : 0) +
-           (flushes() ? words_of(state_.flushing) : 0) + words_of_operation * log_.pending();
+           (has_interlocks() ? words_of_bubbles(state_) : 0) + (flushes() ? words_of(state_.flushing) : 0) +
+           words_of_operation * log_.pending();
 }
 
 void BenchProcess::count_end() {

@@ -51,7 +51,7 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
         counted_ = waited_ = 0;
     }
     /// Puts down its words.
-    void save(StatePage& page) const;
+    void save(StatePage& page);
     /// That it puts down.
     std::size_t most_words() const;
 
@@ -146,8 +146,11 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
         awaited_setups_->sums[0] += static_cast<std::uint32_t>(cycles);
         has_awaited_ = true;
     }
-    void awaited_write(Cycles /*cycles*/) const {}  // in no phrase
-    void stamped() const {}                         // in no phrase
+    void awaited_write(Cycles cycles) {
+        figures_[state_.loop].first->sums[2] += static_cast<std::uint32_t>(cycles);
+        counted_ |= 1U << state_.loop;
+    }
+    void stamped() const {}  // in no phrase
     void let_bubbles_in(BenchPort const& port, std::int64_t bubbles, std::int64_t /*from*/) { charge(port, bubbles); }
     void lets_out(BenchPort const& port, std::int64_t due, std::int64_t cycle) {
         if (cycle > due)

@@ -70,6 +70,8 @@ std::size_t RelativeState::most_words() const {
             words += words_of(ProcessTiming::View(*member.process).state().flushing);
         if (member.process->shape()->sets_up_ahead)
             words += words_of_setups(ProcessTiming::View(*member.process).state());
+        if (member.process->shape()->has_interlocks)
+            words += words_of_bubbles(ProcessTiming::View(*member.process).state());
         for (LoopPlan const& plan : member.process->shape()->plans)
             words += plan.longest_lag;
     }
@@ -146,6 +148,7 @@ FigureTotals::const_iterator RelativeState::enter(ProcessTiming& process, Figure
         LoopCounters& loop = ProcessTiming::View(process).figures().loops[i];
         loop.entries += figures->sums[0];
         loop.iterations += figures->sums[1];
+        loop.interlock_cycles += figures->sums[2];
         ++figures;
         if (blocks_of(process.loops()[i]) == 1)
             continue;

@@ -31,10 +31,10 @@ class RelativeState {
     void clear_logs(std::uint32_t members);
     /// Puts what the processes have yet to do in front of their logs.
     void restore(StateView state, Cycles driver_time);
-    /// The figures of a group that only grow, in blocks: of each loop of each member its entries and iterations, in a
-    /// second one, if there can be any, the cycles lost beyond its ends; of a member that sets up ahead the cycles in
-    /// which it awaited setups; of each FIFO between members its tokens gone
-    /// through, its full stalls, its empty stalls, and its largest occupancy.
+    /// The figures of a group that only grow, in blocks: of each loop of each member its entries and iterations, and
+    /// the cycles in which those waited for writes; in a second one, if there can be any, the cycles lost beyond its
+    /// ends; of a member that sets up ahead the cycles in which it awaited setups; of each FIFO between members its
+    /// tokens gone through, its full stalls, its empty stalls, and its largest occupancy.
     static std::uint32_t blocks_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 2 : 1; }
     static std::uint32_t blocks_of(ProcessTiming const& process);
     std::uint32_t blocks() const;

@@ -184,8 +184,28 @@ template <class Time> StateWord const* load_setups(std::vector<Time>& setups, Ti
     return words;
 }
 
+/// Bubbles of a loop are their number, and how many iterations ago they were, and how many steps.
+template <class Time> std::size_t words_of_bubbles(ProcessState<Time> const& state) {
+    return 1 + 2 * state.bubbles.size();
+}
+template <class Process> void save_bubbles(Process& process, StatePage& page) {
+    auto const& all = process.latest_bubbles();
+    page.put(static_cast<StateWord>(all.size()));
+    for (auto const& bubbles : all) {
+        page.put(static_cast<StateWord>(static_cast<std::int64_t>(process.state().iterations) - bubbles.iteration));
+        page.put(static_cast<StateWord>(bubbles.steps));
+    }
+}
+template <class Process> StateWord const* load_bubbles(Process& process, StateWord const* words) {
+    auto& all = process.restored_bubbles();
+    for (StateWord left = *words++; left > 0; --left, words += 2)
+        all.push_back(
+            {static_cast<std::int64_t>(process.state().iterations) - words[0], static_cast<Cycles>(words[1])});
+    return words;
+}
+
 /// What the words of a process say besides where it stands: `flags` has what the process itself does not know.
-template <class Process> void save_process(Process const& process, ProcessFlags flags, bool with_log, StatePage& page) {
+template <class Process> void save_process(Process& process, ProcessFlags flags, bool with_log, StatePage& page) {
     auto const& state = process.state();
     bool const has_delay_line = process.has_delay_line();
     flags.loop = state.in_loop ? state.loop + 1 : 0;
@@ -199,6 +219,8 @@ template <class Process> void save_process(Process const& process, ProcessFlags 
         save_flushing(state.flushing, page);
     if (process.sets_up_ahead())
         save_setups(state, page);
+    if (process.has_interlocks())
+        save_bubbles(process, page);
     for (std::size_t i = 0; i < flags.left; ++i)
         page.put_operation(process.log().begin()[i].code());
 }
@@ -218,6 +240,8 @@ StateWord const* load_process(Process& process, typename Process::Time base, Sta
         words = load_flushing(process.restored_flushing(), words);
     if (process.sets_up_ahead())
         words = load_setups(process.restored_setups(), base, words);
+    if (process.has_interlocks())
+        words = load_bubbles(process, words);
     for (std::size_t i = flags.left; i > 0; --i)
         process.put_back(Operation(code_of(words + words_of_operation * (i - 1))));
     return words + words_of_operation * flags.left;

@@ -310,7 +310,7 @@ void TransitionBench::save() {
     for (Member const& member : members_)
         most += member.process.most_words();
     page_.start(base_, most);
-    for (Member const& member : members_)
+    for (Member& member : members_)
         member.process.save(page_);
     for (Fifo const& fifo : fifos_) {
         BenchProcess const& writer = members_[fifo.writer].process;

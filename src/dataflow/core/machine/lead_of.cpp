@@ -33,7 +33,7 @@ timing::Lead lead_of(CoreDescription::Pace const& pace, Machine const& machine) 
     if (pace.driver.empty() || uses_memory(pace.driver, machine))
         return lead;
     lead.driver = static_cast<unsigned>(machine.process(pace.driver));
-    if (has_interlocks(machine) || rewinds(machine))  // no state of a process tells of waits for writes, and of rests
+    if (rewinds(machine))  // no state of a process tells of rests
         return lead;
     for (bool const of_memory : {false, true})
         for (CoreDescription::Pace::Follower const& follower : pace.followers) {

@@ -37,7 +37,7 @@ template <class Time> struct ProcessState {
     std::vector<Time> setups_done;          ///< when those begun, and not awaited yet, will be
     /// Steps in which a loop has begun nothing, as an iteration waited for a write: before which. The latest ones.
     struct Bubbles {
-        std::uint64_t iteration = 0;
+        std::int64_t iteration = 0;  ///< negative: before those that the state counts
         Cycles steps = 0;
     };
     std::vector<Bubbles> bubbles;
@@ -125,6 +125,17 @@ template <class Process, class Port> class ProcessRules {
     }
     void restore_delayed(std::uint64_t lag, Ports::Number ports) { state_.delayed(lag) = ports; }
     bool sets_up_ahead() const { return shape_->sets_up_ahead; }
+    bool has_interlocks() const { return shape_->has_interlocks; }
+    /// What its loop has waited for writes, as far as that decides anything.
+    std::vector<typename ProcessState<Time>::Bubbles> const& latest_bubbles() {
+        if (state_.in_loop && !state_.bubbles.empty())
+            forget_bubbles();
+        return state_.bubbles;
+    }
+    std::vector<typename ProcessState<Time>::Bubbles>& restored_bubbles() {
+        state_.bubbles.clear();
+        return state_.bubbles;
+    }
     std::vector<Time>& restored_setups() {
         state_.setups_done.clear();
         return state_.setups_done;
@@ -437,23 +448,31 @@ template <class Process, class Port> class ProcessRules {
     /// Nothing else decides how long one waits.
     void await_write(std::uint32_t dependence, std::uint64_t distance) {
         std::vector<Cycles> const& spans = shape_->loops[state_.loop].interlock_spans;
+        if (dependence >= spans.size())
+            return;
         Cycles steps = distance * plan_->ii;
         for (auto const& bubbles : state_.bubbles)
-            if (bubbles.iteration + distance > state_.iterations)
+            if (is_within(bubbles.iteration, distance))
                 steps += bubbles.steps;
         if (steps >= spans[dependence])
             return;
         Cycles const wait = spans[dependence] - steps;
-        forget_bubbles(*std::max_element(spans.begin(), spans.end()));
-        state_.bubbles.push_back({state_.iterations, wait});
+        forget_bubbles();
+        state_.bubbles.push_back({static_cast<std::int64_t>(state_.iterations), wait});
         mark_loop(Region::Part::interlock);
         self().awaited_write(wait);
         pass(wait);
         mark_loop(Region::Part::iterations);
     }
+    /// Less than so many iterations ago.
+    bool is_within(std::int64_t iteration, std::uint64_t distance) const {
+        return iteration + static_cast<std::int64_t>(distance) > static_cast<std::int64_t>(state_.iterations);
+    }
     /// Those that are too many iterations ago for any span.
-    void forget_bubbles(Cycles longest_span) {
-        auto const is_old = [&](auto const& bubbles) { return bubbles.iteration + longest_span <= state_.iterations; };
+    void forget_bubbles() {
+        std::vector<Cycles> const& spans = shape_->loops[state_.loop].interlock_spans;
+        Cycles const longest_span = *std::max_element(spans.begin(), spans.end());
+        auto const is_old = [&](auto const& bubbles) { return !is_within(bubbles.iteration, longest_span); };
         auto const old = std::remove_if(state_.bubbles.begin(), state_.bubbles.end(), is_old);
         state_.bubbles.erase(old, state_.bubbles.end());
     }

@@ -91,6 +91,7 @@ struct ProcessShape {
     std::vector<LoopPlan> plans;  ///< of the loops
     Cycles setup_cycles = 0;      ///< of one setup
     bool sets_up_ahead = false;   ///< setups may take their time beside a loop: one that both reads and writes
+    bool has_interlocks = false;  ///< iterations of a loop may wait for others to write
     CallStart call_start;
     Cycles stamps_back = 0;      ///< cycles between what a stamp notes and the local time
     Cycles flushing_stages = 0;  ///< of its FlushingPipeline; 0: it has none

@@ -35,10 +35,17 @@ unsigned ProcessTiming::add_stream(MemoryStream& stream) {
 unsigned ProcessTiming::add_loop(LoopShape shape) {
     shape_->plans.emplace_back(shape);
     shape_->sets_up_ahead = shape_->sets_up_ahead || (!shape.reads.empty() && !shape.writes.empty());
+    shape_->has_interlocks = shape_->has_interlocks || !shape.interlock_spans.empty();
     shape_->loops.push_back(std::move(shape));
     figures_.loops.emplace_back();
     loop_sites_.emplace_back();
     return static_cast<unsigned>(loops().size() - 1);
+}
+
+void ProcessTiming::set_iterations(std::uint64_t iterations) {
+    for (auto& bubbles : state_.bubbles)
+        bubbles.iteration += static_cast<std::int64_t>(iterations - state_.iterations);
+    state_.iterations = iterations;
 }
 
 void ProcessTiming::set_neighbour(unsigned port, ProcessMask process_bit) {

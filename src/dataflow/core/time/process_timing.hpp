@@ -202,7 +202,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     /// Done in the loop it is in, or was in last. The lookups keep no more of them than decide anything; who knows
     /// better can say so.
     std::uint64_t iterations() const { return state_.iterations; }
-    void set_iterations(std::uint64_t iterations) { state_.iterations = iterations; }
+    void set_iterations(std::uint64_t iterations);
     /// Iterations done in all its loops, ever.
     std::uint64_t all_iterations() const;
     std::size_t port_count() const { return ports_.size(); }

@@ -87,10 +87,14 @@ bool OperationCheck::makes_attempts() const {
     return state_.loop < loops.size() && loops[state_.loop].makes_attempts;
 }
 
+/// In a loop that nobody knows, what any of them may say: nobody waits for what the loop has not.
 bool OperationCheck::accepts_await_write(Operation const& operation) const {
     auto const& loops = process_->loops();
-    return operation.count() > 0 && state_.loop < loops.size() &&
-           operation.dependence() < loops[state_.loop].interlock_spans.size();
+    auto const has = [&operation](timing::LoopShape const& loop) {
+        return operation.dependence() < loop.interlock_spans.size();
+    };
+    bool const is_known = state_.loop < loops.size();
+    return operation.count() > 0 && (is_known ? has(loops[state_.loop]) : std::any_of(loops.begin(), loops.end(), has));
 }
 
 /// Loops that read and write do, no others.

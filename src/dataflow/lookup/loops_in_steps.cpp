@@ -141,10 +141,9 @@ void LoopsInSteps::iterate(Operation const& operation) {
 
 void LoopsInSteps::iterate_in_both(Operation const& operation) {
     pass_due();
-    OperationLog iterations;
-    iterations.append(operation);
-    while (!iterations.exhausted()) {
-        Run const run = take_run(iterations, Operation::longest_count);
+    at_hand_.append(operation);
+    while (!at_hand_.exhausted()) {
+        Run const run = take_run(at_hand_, Operation::longest_count);
         late_.append(Operation(Kind::iterate, run.ports & steps_->late, 0, run.count));
         for (std::uint32_t left = run.count; left > 0;) {
             Run const late = take_run(late_, left);

@@ -56,6 +56,7 @@ class LoopsInSteps {
     std::uint32_t interval_ = 1;               ///< of that loop, achieved
     OperationLog late_;                        ///< what iterations do late that no step does yet
     std::uint64_t due_ = 0;                    ///< steps of those that have begun
+    OperationLog at_hand_;                     ///< iterations that are split up
     Ports::Number run_ports_ = 0;              ///< of steps to be put down
     std::uint32_t run_ = 0;
     std::vector<Operation> told_;

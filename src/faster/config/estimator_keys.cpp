@@ -15,7 +15,7 @@ constexpr NumberRange share{0, 1};
 constexpr NumberRange above_zero{0, std::numeric_limits<double>::infinity(), true};
 constexpr NumberRange zero_or_more{0, std::numeric_limits<double>::infinity()};
 constexpr NumberRange angle{0, 180};
-constexpr char const* searched = "docs/poses.md";
+constexpr char const* searched = "docs/pose-experiments.md";
 
 void add_loop_keys(Keys& keys) {
     keys.push_back(Make::choice_key(
@@ -39,8 +39,7 @@ void add_loop_keys(Keys& keys) {
          "docs/poses.md"},
         [](auto& config) -> auto& { return config.estimator.refine; }));
     keys.push_back(Make::number_key(
-        {"estimator.stop_weight", "", "The loop, and all runs, end once the best weight reaches this.",
-         "docs/poses.md"},
+        {"estimator.stop_weight", "", "The loop, and all runs, end once the best weight reaches this.", searched},
         zero_or_more, [](auto& config) -> auto& { return config.estimator.stop_weight; }));
     keys.push_back(Make::number_key(
         {"estimator.least_weight", "", "An estimate of less weight is reported as not found.", searched}, zero_or_more,
@@ -180,11 +179,11 @@ void add_host_keys(Keys& keys) {
         zero_or_more, [](auto& config) -> auto& { return config.host.collect_us; }));
     keys.push_back(Make::number_key(
         {"host.resample_us", "us", "Weights, resampling and diffusion of an iteration on the host's processor.",
-         "measured, docs/poses.md"},
+         "measured, docs/pose-experiments.md"},
         zero_or_more, [](auto& config) -> auto& { return config.host.resample_us; }));
     keys.push_back(Make::number_key(
         {"host.refine_us", "us", "estimator.refine on the host's processor, once per estimate.",
-         "measured, docs/poses.md"},
+         "measured, docs/pose-experiments.md"},
         zero_or_more, [](auto& config) -> auto& { return config.host.refine_us; }));
 }
 

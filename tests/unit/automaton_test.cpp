@@ -291,8 +291,8 @@ TEST_CASE("Times too far apart for a state are none of the automaton's business"
 }
 
 TEST_CASE("An automaton that hardly ever finds what it looks for is given up, and nothing is lost", "[automaton]") {
-    CHECK_FALSE(compare(77, false, 500, true)->gave_up());  // at first, much is new anyway
-    CHECK(compare(77, false, 1000, true)->gave_up());
+    CHECK_FALSE(compare(77, false, 50, true)->gave_up());  // at first, much is new anyway
+    CHECK(compare(77, false, 500, true)->gave_up());
 }
 
 TEST_CASE("A process with ports that no mask has is followed where it does not access them", "[automaton][ports]") {

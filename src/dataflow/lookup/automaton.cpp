@@ -9,9 +9,9 @@ namespace dataflow::timing {
 namespace {
 constexpr Cycles longest_reach = 4096;     // of times in states with a number
 constexpr std::uint64_t most_room = 4096;  // tokens in FIFOs that a state may have to list
-// If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered. In the
-// first trial much is new anyway.
-constexpr std::uint64_t trial = 1U << 17;
+// If of so many phrases more than one in so many is new, the core repeats itself too rarely to be remembered. The first
+// trial is short, as it shows then, and much is new anyway.
+constexpr std::uint64_t first_trial = 1U << 15, trial = 1U << 17;
 constexpr std::uint64_t one_in = 4, one_in_at_first = 2;
 
 /// A loop that reads and writes is one of steps: see LoopsInSteps.
@@ -63,7 +63,7 @@ Automaton::~Automaton() = default;
 bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& group, bool in_steps) {
     if (!decided_) {
         decided_ = true;
-        next_trial_ = trial;
+        next_trial_ = first_trial;
         usable_ = can_follow(group);
         driver_is_regular_ = is_regular(*group.driver().shape());
         in_steps_ = in_steps;
@@ -71,8 +71,9 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
             bench_ = std::make_unique<TransitionBench>(core, lead, leaves_trails_);
     }
     if (phrases_ >= next_trial_) {
-        std::uint64_t const one_in_these = next_trial_ == trial ? one_in_at_first : one_in;
-        usable_ = usable_ && (worked_out_ - worked_out_before_) * one_in_these <= trial;
+        bool const is_first = next_trial_ == first_trial;
+        std::uint64_t const most_new = is_first ? first_trial / one_in_at_first : trial / one_in;
+        usable_ = usable_ && worked_out_ - worked_out_before_ <= most_new;
         worked_out_before_ = worked_out_;
         next_trial_ = phrases_ + trial;
     }

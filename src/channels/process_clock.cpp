@@ -12,17 +12,6 @@
 
 namespace dataflow {
 
-namespace {
-/// Of the external memory: docs/memory-model.md.
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 40U;
-
-/// Its module would tell of the step when it has the FIFO's token, too late for the burst to be asked for in its turn.
-[[noreturn]] void refuse_both(std::string const& module, std::string const& stream, std::string const& fifo) {
-    throw InputError("module " + module + " takes " + stream + " from the memory in a step that reads " + fifo +
-                     ", expected a step for each");
-}
-}  // namespace
-
 std::uint64_t TimeBase::ticks_per_cycle() const {
     double const seconds = 1e-6 / clock_mhz;
     return std::max<std::uint64_t>(
@@ -74,90 +63,6 @@ void ProcessClock::require_no_late_access(timing::LoopShape const& loop) const {
             (is_late ? "reads a FIFO in a later stage than its first" : "accesses a FIFO without waiting") +
             ", expected accelerator.loops." + timing_.name() + "." + loop.name + ".rewind: false" +
             (is_late ? ", or read_stage 0" : ""));
-}
-
-timing::Ports ProcessClock::memory_port() const {
-    return uses_memory() ? timing::Ports::of(timing_.stream_port()) : timing::no_ports;
-}
-
-void ProcessClock::tell_entry(timing::MemoryEntry entry) {
-    std::uint64_t tokens = 0;
-    for (timing::MemoryBlock const& block : entry.blocks)
-        tokens += block.all_tokens();
-    tokens_told_ += tokens;
-    if (is_taken_by_loop())
-        entries_told_.push_back(tokens);
-    else
-        tokens_at_hand_ += tokens;
-    dataflow_core_.add_entry(timing_.index(), std::move(entry));
-}
-
-void ProcessClock::tell_ranges(std::vector<Range> const& ranges) {
-    if (!uses_memory())
-        return;
-    std::uint64_t const sample = dataflow_core_.begun(timing_.index()) - 1;
-    bool const is_taken_by_steps = stream_->loop.empty() && !stream_->writes;
-    timing::MemoryEntry entry{sample, {}};
-    for (Range const& range : ranges) {
-        if (range.tokens == 0 || range.token_bytes == 0 || range.tokens > most_bytes / range.token_bytes ||
-            range.address > most_bytes - range.tokens * range.token_bytes)
-            throw InputError("module " + timing_.name() + " tells of " + std::to_string(range.tokens) + " tokens of " +
-                             std::to_string(range.token_bytes) + " bytes at the address " +
-                             std::to_string(range.address) + ", expected at least one of each, below " +
-                             std::to_string(most_bytes));
-        entry.blocks.push_back({range.address, range.tokens * range.token_bytes, 0, range.token_bytes, range.tokens});
-        for (std::uint64_t i = 0; is_taken_by_steps && i < range.tokens; ++i)
-            tell_entry({sample, {{range.address + i * range.token_bytes, range.token_bytes, 0, range.token_bytes}}});
-    }
-    tells_ranges_ = true;
-    if (!is_taken_by_steps)
-        tell_entry(std::move(entry));
-}
-
-void ProcessClock::access_memory() {
-    if (!uses_memory())
-        return;
-    require_memory(timing_.stream_port());
-    ++tokens_accessed_;
-    access(memory_port());
-}
-
-/// As the stream's description says, and no more than is told.
-void ProcessClock::require_memory(unsigned port) const {
-    std::string const what = "module " + timing_.name() + " accesses the memory for " + stream_->name;
-    std::string const loop = is_pipelining_ ? timing_.loops()[pipelined_].name : std::string();
-    if (loop != stream_->loop)
-        throw InputError(what + (loop.empty() ? " outside loops" : " in the loop " + loop) + ", expected it " +
-                         (stream_->loop.empty() ? "outside loops, or taken_by() or given_by() in its describe()"
-                                                : "in the loop " + stream_->loop));
-    collected_.each([this](unsigned other) {
-        if (!is_pipelining_ && !stream_->writes && !is_memory(other) && !timing_.writes(other))
-            refuse_both(timing_.name(), stream_->name, fifos_[other]->timing().name());
-    });
-    if (collected_.has(port))
-        throw InputError(what + " twice in a step or an iteration of a loop, expected once");
-    if (tokens_accessed_ == tokens_at_hand_)
-        throw InputError(what + " more often than it has told of tokens, which are " + std::to_string(tokens_at_hand_) +
-                         ", expected tell_ranges() before");
-}
-
-bool ProcessClock::is_taken_by_loop() const { return stream_ != nullptr && !stream_->writes && !stream_->loop.empty(); }
-
-/// Each time that the loop is entered it has an entry, which may have no tokens.
-void ProcessClock::enter_memory() {
-    if (entries_told_.empty())
-        tell_entry({dataflow_core_.begun(timing_.index()) - 1, {}});
-    tokens_at_hand_ += entries_told_.front();
-    entries_told_.pop_front();
-}
-
-void ProcessClock::end_calls() {
-    if (tells_ranges_ && tokens_accessed_ != tokens_told_)
-        throw InputError("module " + timing_.name() + " has told of " + std::to_string(tokens_told_) +
-                         " tokens of the memory for " + stream_->name + ", and accesses " +
-                         std::to_string(tokens_accessed_) + ", expected all of them");
-    timing_.tell_end();
-    follow();
 }
 
 FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
@@ -336,7 +241,7 @@ void ProcessClock::require_once(timing::Ports port) const {
     bool const takes_memory =
         uses_memory() && stream_ != nullptr && !stream_->writes && collected_.has(timing_.stream_port());
     if (!is_pipelining_ && takes_memory && !timing_.writes(number))
-        refuse_both(timing_.name(), stream_->name, fifo);
+        refuse_both(fifo);
     if (collected_.has(number) || attempted_.has(number))
         throw InputError("module " + timing_.name() + " " + does + " " + fifo +
                          " twice in a step or an iteration of a loop, " + "expected once");

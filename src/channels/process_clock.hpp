@@ -313,6 +313,7 @@ class ProcessClock {
 
     void require_no_late_access(timing::LoopShape const& loop) const;
     void require_memory(unsigned port) const;
+    [[noreturn]] void refuse_both(std::string const& fifo) const;
     bool is_taken_by_loop() const;
     void enter_memory();
     void hand_over(FifoEnd::When when);

@@ -90,8 +90,26 @@ void DataflowCore::catch_up() {
         return;
     if (memory_ != nullptr)
         memory_->note_sample();
+    else if (thread_ != nullptr)
+        tell_thread();
     else
         timing_->resolve(false);
+}
+
+/// Everything is connected before the thread comes.
+void DataflowCore::use_thread(TimingThread& thread) {
+    timing_->resolve(false);
+    thread_ = &thread;
+    logs_for_thread_.resize(timing_->processes().size());
+}
+
+void DataflowCore::tell_thread() {
+    TimingThread::Told told;
+    for (timing::OperationLog& log : logs_for_thread_) {
+        told.emplace_back(log.begin(), log.begin() + log.pending());
+        log.clear();
+    }
+    thread_->tell(*timing_, std::move(told));
 }
 
 void DataflowCore::add_entry(std::size_t process, timing::MemoryEntry entry) {

@@ -15,6 +15,7 @@
 #include "channels/clocked_fifo.hpp"
 #include "channels/ping_pong.hpp"
 #include "channels/time_base.hpp"
+#include "channels/timing_thread.hpp"
 #include "dataflow/base/core_share.hpp"
 #include "dataflow/base/write_distances.hpp"
 #include "dataflow/core/machine/machine.hpp"
@@ -121,8 +122,16 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     std::exception_ptr const& error() const { return error_; }
     /// Lets the next core begin. By itself when the share is done.
     void end_turn();
-    /// Gives all operations logged so far their cycles, where the SystemC kernel does not do so (decoupled).
+    /// Gives all operations logged so far their cycles, where the SystemC kernel does not do so (decoupled); or tells
+    /// the thread that does.
     void catch_up() override;
+    /// From the start of simulation on, a thread gives operations their cycles. Its processes log what they do in
+    /// log_for_thread() then, instead of in their timing.
+    void use_thread(TimingThread& thread);
+    /// Of a process; null: nobody takes them, they belong into its timing.
+    timing::OperationLog* log_for_thread(std::size_t process) {
+        return thread_ == nullptr ? nullptr : &logs_for_thread_[process];
+    }
 
     /// Every process calls this before the first operation of each of its samples. A process that reads no FIFO waits
     /// here for the core's turn before its first sample.
@@ -157,6 +166,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
 
   private:
     void start_of_simulation() override;
+    void tell_thread();
     void require_interlocks() const;
     void find_channels(sc_core::sc_object const& parent) const;
     void await_turn_of(std::size_t process) const;
@@ -165,6 +175,8 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     CoreShare share_;
     TimeBase time_base_;
     std::unique_ptr<timing::PhraseCore> timing_ = timing::make_core();
+    TimingThread* thread_ = nullptr;
+    std::vector<timing::OperationLog> logs_for_thread_;  // by process
     timing::MemorySystem* memory_ = nullptr;
     EntryCall entry_call_;
     std::size_t number_ = 0;

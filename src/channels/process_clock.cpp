@@ -22,11 +22,14 @@ ProcessClock::ProcessClock(DataflowCore& core, std::string_view process)
     : dataflow_core_(core),
       core_(core.timing()),
       timing_(core.timing().process(core.machine().process(process))),
+      log_(&timing_.log()),
       time_base_(core.time_base()),
       ticks_per_cycle_(core.time_base().ticks_per_cycle()) {}
 
 void ProcessClock::connect_all() {
     Machine const& machine = dataflow_core_.machine();
+    if (timing::OperationLog* const log = dataflow_core_.log_for_thread(timing_.index()))
+        log_ = log;
     for (MachineEnd const& end : machine.processes[timing_.index()].ends) {
         auto const port = static_cast<unsigned>(fifos_.size());
         fifos_.push_back(&channel_of(end.fifo));
@@ -265,8 +268,8 @@ void ProcessClock::begin_sample() { dataflow_core_.begin_sample(timing_.index())
 void ProcessClock::end_sample() { dataflow_core_.end_sample(); }
 
 void ProcessClock::catch_up() {
-    core_.resolve(false);
-    log_limit_ = std::max(log_limit_, 2 * timing_.log().pending());  // what is left waits for others: let them talk
+    log_ == &timing_.log() ? core_.resolve(false) : dataflow_core_.catch_up();
+    log_limit_ = std::max(log_limit_, 2 * log_->pending());  // what is left waits for others: let them talk
 }
 
 /// The reader of a flushing pipeline's tokens may have one to read now.

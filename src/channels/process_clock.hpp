@@ -284,7 +284,7 @@ class ProcessClock {
     using OperationLog = timing::OperationLog;
 
     template <class Entry> [[gnu::always_inline]] void say(Entry entry) {
-        entry(timing_.log());
+        entry(*log_);
         if (__builtin_expect(timing_.is_taped() ? 1 : 0, 0) != 0)
             tape(entry);
         follow();
@@ -301,7 +301,7 @@ class ProcessClock {
     void follow() {
         if (lockstep())
             follow_in_lockstep(is_held_ && !makes_attempts_ ? reached_ : all_steps);
-        else if (timing_.log().pending() > log_limit_)
+        else if (log_->pending() > log_limit_)
             catch_up();
     }
     void catch_up();
@@ -347,6 +347,7 @@ class ProcessClock {
     DataflowCore& dataflow_core_;
     timing::CoreTiming& core_;
     timing::ProcessTiming& timing_;
+    timing::OperationLog* log_;  // where it tells what it does
     TimeBase time_base_;
     std::uint64_t ticks_per_cycle_;
     std::vector<FifoChannel*> fifos_;   // by port

@@ -94,7 +94,7 @@ void ProcessClock::end_calls() {
         throw InputError("module " + timing_.name() + " has told of " + std::to_string(tokens_told_) +
                          " tokens of the memory for " + stream_->name + ", and accesses " +
                          std::to_string(tokens_accessed_) + ", expected all of them");
-    timing_.tell_end();
+    timing_.tell_end(*log_);
     follow();
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <system_error>
 
 #include "channels/recordings.hpp"
 #include "channels/taping.hpp"
+#include "channels/timing_thread.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/critical_path_of.hpp"
 #include "dataflow/run/replay/path_sweep.hpp"
@@ -51,6 +53,29 @@ void watch_samples(DataflowAccelerator& accelerator, SimulationOptions const& op
         });
 }
 
+/// Null: the kernel's own thread has to do it.
+std::unique_ptr<TimingThread> timing_thread(DataflowAccelerator& accelerator, SimulationOptions const& options) {
+    bool const is_looked_at = options.critical_path || !options.recordings.empty() ||
+                              options.most_samples != SimulationOptions{}.most_samples;
+    if (options.jobs < 2 || is_looked_at || accelerator.engine() != Engine::decoupled ||
+        accelerator.memory() != nullptr)
+        return nullptr;
+    try {
+        auto thread = std::make_unique<TimingThread>();
+        for (auto const& core : accelerator.cores())
+            core->use_thread(*thread);
+        return thread;
+    } catch (std::system_error const&) {  // no more of them
+        return nullptr;
+    }
+}
+
+void finish(TimingThread& thread, DataflowAccelerator& accelerator) {
+    for (auto const& core : accelerator.cores())
+        core->catch_up();
+    thread.finish();
+}
+
 Cycles latest_of(DataflowAccelerator const& accelerator) {
     Cycles latest = 0;
     for (auto const& core : accelerator.cores())
@@ -74,7 +99,10 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     std::unique_ptr<Taping> taping;
     if (options.recorded != nullptr)
         taping = std::make_unique<Taping>(accelerator, *options.recorded);
+    std::unique_ptr<TimingThread> const thread = timing_thread(accelerator, options);
     accelerator.run();
+    if (thread != nullptr)
+        finish(*thread, accelerator);
     if (accelerator.is_left()) {
         recordings.finish(latest_of(accelerator));
         return {};

@@ -1,7 +1,10 @@
 #include "channels/taping.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
+
+#include "dataflow/core/machine/build_core.hpp"
 
 namespace dataflow {
 
@@ -47,8 +50,10 @@ void Taping::start(std::size_t core) {
     tapes_[core].begun.resize(timing.processes().size());
     for (std::size_t i = 0; i < timing.processes().size(); ++i)
         timing.process(i).add_tape(tapes_[core].logs[i]);
-    if (core == 0)
-        run_.blueprint = timing.blank_copy();
+    if (core == 0) {
+        run_.blueprint = std::make_unique<timing::CoreTiming>();
+        build_core(*run_.blueprint, accelerator_.machine());
+    }
     taking_part_ = modules_of(accelerator_.machine()).size();
 }
 

@@ -40,6 +40,19 @@ class Workspace {
     SmallWorkspace small_;
 };
 
+TEST_CASE("How many host cores a run uses changes no figure, and nothing that it records") {
+    Workspace const workspace;
+    for (std::string const jobs : {"1", "2", "7"})
+        require_done(workspace.tool({"run", "config.yaml", "-j", jobs, "--out", jobs, "--events", jobs + ".events"}));
+    for (std::string const jobs : {"2", "7"}) {
+        CAPTURE(jobs);
+        for (std::string const table : {"samples.csv", "fifos.csv", "loops.csv"})
+            CHECK(workspace.small().text(jobs + "/" + table) == workspace.small().text("1/" + table));
+        CHECK(workspace.small().text(jobs + ".events") == workspace.small().text("1.events"));
+    }
+    workspace.check_refused({"run", "config.yaml", "-j", "0"}, {"--jobs"});
+}
+
 TEST_CASE("Two outputs of a command to one path are refused") {
     Workspace const workspace;
     std::string const both = "one would replace the other";

@@ -11,6 +11,7 @@
 
 #include "dataflow/base/files/output_file.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/on_threads.hpp"
 #include "dataflow/base/program_name.hpp"
 #include "dataflow/commands/exit_codes.hpp"
 #include "dataflow/commands/options.hpp"
@@ -220,6 +221,7 @@ int run(RunRequest const& request, RunExtras& extras) {
         ProgressLine progress("samples");
         SimulationOptions options;
         options.at_any_size = request.force;
+        options.jobs = jobs_or_host_cores(request.jobs);
         options.critical_path = request.critical_path || outputs.report;
         options.hazards = request.hazards;
         options.recorded = request.sensitivities || outputs.events || outputs.report ? &recorded : nullptr;
@@ -294,6 +296,9 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
             add_force(command, request->force, ", or writes a waveform of more than 2 GB");
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");
+            add_jobs(
+                command, request->jobs,
+                "Host cores to use: a second one works cycles out, unless the run is recorded, or behind a memory");
             extras->declare(command);
             add_overrides(command, request->overrides);
             add_recording_options(command, request->recording);

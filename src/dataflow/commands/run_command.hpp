@@ -20,6 +20,7 @@ struct RunRequest {
     bool sensitivities = false;          ///< work them out
     bool force = false;                  ///< however long it takes, whatever memory there is
     bool hazards = false;                ///< look for them
+    std::size_t jobs = 0;                ///< threads; 0: as many as the host has cores
     RecordingRequest recording;
 };
 

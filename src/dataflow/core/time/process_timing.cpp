@@ -223,9 +223,9 @@ void ProcessTiming::performs(Ports::Number ports, Cycles arrival) {
     figures_.idle_before_cycles = arrival == 0 && !waits_for_memory ? state_.time : 0;
 }
 
-void ProcessTiming::tell_end() {
+void ProcessTiming::tell_end(OperationLog& log) const {
     if (std::any_of(loops().begin(), loops().end(), [](LoopShape const& loop) { return loop.rewinds; }))
-        log_.wait(0);
+        log.wait(0);
 }
 
 void ProcessTiming::entered_again() {

@@ -102,8 +102,9 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     OperationLog const& log() const { return log_; }
     /// Logs besides log() that take down everything the process says.
     std::vector<OperationLog*> const& tapes() const { return tapes_; }
-    /// Nothing more will be logged: a loop that rewinds does not go on.
-    void tell_end();
+    /// Nothing more will be logged: a loop that rewinds does not go on. In a log, its own or one for that.
+    void tell_end() { tell_end(log_); }
+    void tell_end(OperationLog& log) const;
     bool is_taped() const { return is_taped_; }
     void add_tape(OperationLog& tape) {
         tapes_.push_back(&tape);

@@ -296,9 +296,9 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
             add_force(command, request->force, ", or writes a waveform of more than 2 GB");
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");
-            add_jobs(
-                command, request->jobs,
-                "Host cores to use: a second one works cycles out, unless the run is recorded, or behind a memory");
+            add_jobs(command, request->jobs,
+                     "Host cores to use: a second one works cycles out, but not with waveforms, timelines, --report, "
+                     "--critical-path or an external memory");
             extras->declare(command);
             add_overrides(command, request->overrides);
             add_recording_options(command, request->recording);

@@ -33,7 +33,7 @@ bool iterates(Operation const& operation) {
     return operation.kind() == Kind::iterate || operation.kind() == Kind::mixed || operation.kind() == Kind::flanked;
 }
 
-/// What the process does between its own accesses must not be told apart from what others do.
+/// A FIFO has both its ends at the process: how many tokens many steps at once find there changes while they are done.
 bool reads_what_it_writes(ProcessTiming const& process) {
     for (unsigned one = 0; one < process.port_count(); ++one)
         for (unsigned other = 0; other < one; ++other)
@@ -156,7 +156,6 @@ void LoopsInSteps::iterate_in_both(Operation const& operation) {
 /// What is left belongs to iterations that have begun.
 void LoopsInSteps::leave() {
     pass_due();
-    end_run();
     while (!late_.exhausted()) {
         Run const run = take_run(late_, Operation::longest_count);
         for (std::uint32_t i = 0; i < run.count; ++i)

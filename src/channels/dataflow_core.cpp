@@ -97,19 +97,28 @@ void DataflowCore::catch_up() {
 }
 
 /// Everything is connected before the thread comes.
-void DataflowCore::use_thread(TimingThread& thread) {
+void DataflowCore::use_thread(Worker& thread) {
     timing_->resolve(false);
     thread_ = &thread;
     logs_for_thread_.resize(timing_->processes().size());
 }
 
 void DataflowCore::tell_thread() {
-    TimingThread::Told told;
+    std::vector<std::vector<timing::Operation>> told;
+    std::size_t operations = 0;
     for (timing::OperationLog& log : logs_for_thread_) {
         told.emplace_back(log.begin(), log.begin() + log.pending());
+        operations += log.pending();
         log.clear();
     }
-    thread_->tell(*timing_, std::move(told));
+    if (operations == 0)
+        return;
+    thread_->tell(operations, [this, told = std::move(told)] {
+        for (std::size_t process = 0; process < told.size(); ++process)
+            for (timing::Operation const& operation : told[process])
+                timing_->process(process).log().append(operation);
+        timing_->resolve(false);
+    });
 }
 
 void DataflowCore::add_entry(std::size_t process, timing::MemoryEntry entry) {

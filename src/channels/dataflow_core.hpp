@@ -15,8 +15,8 @@
 #include "channels/clocked_fifo.hpp"
 #include "channels/ping_pong.hpp"
 #include "channels/time_base.hpp"
-#include "channels/timing_thread.hpp"
 #include "dataflow/base/core_share.hpp"
+#include "dataflow/base/worker.hpp"
 #include "dataflow/base/write_distances.hpp"
 #include "dataflow/core/machine/machine.hpp"
 #include "dataflow/phrases/phrase_core.hpp"
@@ -125,9 +125,10 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     /// Gives all operations logged so far their cycles, where the SystemC kernel does not do so (decoupled); or tells
     /// the thread that does.
     void catch_up() override;
-    /// From the start of simulation on, a thread gives operations their cycles. Its processes log what they do in
-    /// log_for_thread() then, instead of in their timing.
-    void use_thread(TimingThread& thread);
+    /// From the start of simulation on, a thread gives operations their cycles (decoupled): until that has finished,
+    /// the timing is the thread's alone. Processes log what they do in log_for_thread() then, instead of in their
+    /// timing.
+    void use_thread(Worker& thread);
     /// Of a process; null: nobody takes them, they belong into its timing.
     timing::OperationLog* log_for_thread(std::size_t process) {
         return thread_ == nullptr ? nullptr : &logs_for_thread_[process];
@@ -175,7 +176,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     CoreShare share_;
     TimeBase time_base_;
     std::unique_ptr<timing::PhraseCore> timing_ = timing::make_core();
-    TimingThread* thread_ = nullptr;
+    Worker* thread_ = nullptr;
     std::vector<timing::OperationLog> logs_for_thread_;  // by process
     timing::MemorySystem* memory_ = nullptr;
     EntryCall entry_call_;

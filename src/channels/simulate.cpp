@@ -6,7 +6,7 @@
 
 #include "channels/recordings.hpp"
 #include "channels/taping.hpp"
-#include "channels/timing_thread.hpp"
+#include "dataflow/base/worker.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/critical_path_of.hpp"
 #include "dataflow/run/replay/path_sweep.hpp"
@@ -54,14 +54,15 @@ void watch_samples(DataflowAccelerator& accelerator, SimulationOptions const& op
 }
 
 /// Null: the kernel's own thread has to do it.
-std::unique_ptr<TimingThread> timing_thread(DataflowAccelerator& accelerator, SimulationOptions const& options) {
+std::unique_ptr<Worker> timing_thread(DataflowAccelerator& accelerator, SimulationOptions const& options) {
+    constexpr std::size_t most_operations = std::size_t{1} << 20;  // that wait for it, of 8 bytes
     bool const is_looked_at = options.critical_path || !options.recordings.empty() ||
                               options.most_samples != SimulationOptions{}.most_samples;
     if (options.jobs < 2 || is_looked_at || accelerator.engine() != Engine::decoupled ||
         accelerator.memory() != nullptr)
         return nullptr;
     try {
-        auto thread = std::make_unique<TimingThread>();
+        auto thread = std::make_unique<Worker>(most_operations);
         for (auto const& core : accelerator.cores())
             core->use_thread(*thread);
         return thread;
@@ -70,7 +71,7 @@ std::unique_ptr<TimingThread> timing_thread(DataflowAccelerator& accelerator, Si
     }
 }
 
-void finish(TimingThread& thread, DataflowAccelerator& accelerator) {
+void finish(Worker& thread, DataflowAccelerator& accelerator) {
     for (auto const& core : accelerator.cores())
         core->catch_up();
     thread.finish();
@@ -99,7 +100,7 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     std::unique_ptr<Taping> taping;
     if (options.recorded != nullptr)
         taping = std::make_unique<Taping>(accelerator, *options.recorded);
-    std::unique_ptr<TimingThread> const thread = timing_thread(accelerator, options);
+    std::unique_ptr<Worker> const thread = timing_thread(accelerator, options);
     accelerator.run();
     if (thread != nullptr)
         finish(*thread, accelerator);

@@ -295,9 +295,9 @@ class OperationLog {
 
     /// Puts an operation in front of all others.
     void put_back(Operation const& operation) {
-        if (next_ > 1)
+        if (next_ > 1) {
             operations_[--next_] = operation;
-        else {
+        } else {
             operations_.insert(operations_.begin() + 1, operation);
             ++taken_;
         }

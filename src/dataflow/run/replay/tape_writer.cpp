@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/run/replay/canonical_operations.hpp"
@@ -29,69 +30,34 @@ bool mixes_ports(LeadCore const& lead, std::size_t process) {
 TapeWriter::TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes)
     : run_(run), lead_(lead), step_ports_(processes) {
     try {
-        thread_ = std::thread([this] { work(); });
+        thread_ = std::make_unique<Worker>(most_waiting);
     } catch (std::system_error const& error) {
         throw HostError("no thread to record with (" + error.code().message() + "), expected room for more of them");
     }
 }
 
-TapeWriter::~TapeWriter() { stop(); }
-
 void TapeWriter::put(std::size_t sample, SampleOperations operations) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [this] { return waiting_.size() < most_waiting; });
-    waiting_.emplace_back(sample, std::move(operations));
-    changed_.notify_all();
+    thread_->tell(
+        1, [this, sample, operations = std::move(operations)]() mutable { write(sample, std::move(operations)); });
 }
 
 void TapeWriter::finish() {
-    stop();
-    if (error_)
-        std::rethrow_exception(error_);
+    thread_->finish();
     run_.tape.finish();
 }
 
-void TapeWriter::stop() {
-    {
-        std::lock_guard<std::mutex> const lock(mutex_);
-        stops_ = true;
-        changed_.notify_all();
-    }
-    if (thread_.joinable())
-        thread_.join();
-}
-
-void TapeWriter::work() {
-    for (;;) {
-        std::unique_lock<std::mutex> lock(mutex_);
-        changed_.wait(lock, [this] { return stops_ || !waiting_.empty(); });
-        if (waiting_.empty())
-            return;
-        auto [sample, operations] = std::move(waiting_.front());
-        waiting_.pop_front();
-        changed_.notify_all();
-        lock.unlock();
-        if (!error_)
-            write(sample, std::move(operations));
-    }
-}
-
 void TapeWriter::write(std::size_t sample, SampleOperations operations) {
-    try {
-        if (!cutter_)
-            cutter_ = std::make_unique<SampleCutter>(*run_.blueprint, lead_);
-        for (std::size_t i = 0; i < operations.size(); ++i) {
-            if (mixes_ports(cutter_->lead(), i))
-                return_tails(operations[i]);
-            operations[i] = canonical(operations[i].data(), operations[i].size());
-            for (timing::Operation const& operation : operations[i])
-                if (operation.kind() == timing::Operation::Kind::step)
-                    step_ports_[i] = step_ports_[i] | timing::Ports(operation.ports());
-        }
-        run_.tape.put(sample, cutter_->cut(std::move(operations)), cutter_->book());
-    } catch (...) {
-        error_ = std::current_exception();
+    if (!cutter_)
+        cutter_ = std::make_unique<SampleCutter>(*run_.blueprint, lead_);
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+        if (mixes_ports(cutter_->lead(), i))
+            return_tails(operations[i]);
+        operations[i] = canonical(operations[i].data(), operations[i].size());
+        for (timing::Operation const& operation : operations[i])
+            if (operation.kind() == timing::Operation::Kind::step)
+                step_ports_[i] = step_ports_[i] | timing::Ports(operation.ports());
     }
+    run_.tape.put(sample, cutter_->cut(std::move(operations)), cutter_->book());
 }
 
 }  // namespace dataflow::replay

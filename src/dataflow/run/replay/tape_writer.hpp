@@ -1,14 +1,9 @@
 #pragma once
-#include <condition_variable>
-#include <cstdint>
-#include <deque>
-#include <exception>
+#include <cstddef>
 #include <memory>
-#include <mutex>
-#include <thread>
-#include <utility>
 #include <vector>
 
+#include "dataflow/base/worker.hpp"
 #include "dataflow/run/replay/recorded_run.hpp"
 #include "dataflow/run/replay/sample_cutter.hpp"
 
@@ -20,9 +15,9 @@ class TapeWriter {
     /// For machines with that lead, and so many processes in a core. The run's blueprint must be there when the first
     /// sample is.
     TapeWriter(RecordedRun& run, timing::Lead const& lead, std::size_t processes);
-    ~TapeWriter();
     TapeWriter(TapeWriter const&) = delete;
     TapeWriter& operator=(TapeWriter const&) = delete;
+    ~TapeWriter() = default;
 
     /// The operations as the processes told them. Waits if the thread is far behind.
     void put(std::size_t sample, SampleOperations operations);
@@ -32,20 +27,13 @@ class TapeWriter {
     timing::Ports step_ports(std::size_t process) const { return step_ports_[process]; }
 
   private:
-    void work();
     void write(std::size_t sample, SampleOperations operations);
-    void stop();
 
     RecordedRun& run_;
     timing::Lead lead_;
     std::vector<timing::Ports> step_ports_;
     std::unique_ptr<SampleCutter> cutter_;
-    std::deque<std::pair<std::size_t, SampleOperations>> waiting_;
-    bool stops_ = false;
-    std::exception_ptr error_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::thread thread_;
+    std::unique_ptr<Worker> thread_;  // last: it uses all others
 };
 
 }  // namespace dataflow::replay

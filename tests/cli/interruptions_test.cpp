@@ -3,7 +3,7 @@
 // (locale, time zone, umask, layout of memory, number of processes): the same command writes the same bytes.
 //   FASTER_SEED           of what is random
 //   FASTER_INTERRUPTIONS  how many (20)                          scripts/test-interruptions.sh
-//   FASTER_FAULTS         how many (20), or all                  scripts/test-faults.sh
+//   FASTER_FAULTS         how many (12), or all                  scripts/test-faults.sh
 //   FASTER_DISKS          how many full disks for each command (1)
 //   FASTER_COMMANDS       only those whose name contains it
 #include <algorithm>
@@ -303,7 +303,7 @@ TEST_CASE("Interruptions at random moments leave the older results or the new on
 TEST_CASE("A call of the system that fails leaves the older results or the new ones, and nothing else") {
     if (strace_is_missing())
         return;
-    std::string const wanted = text_from("FASTER_FAULTS", "20");
+    std::string const wanted = text_from("FASTER_FAULTS", "12");
     unsigned long const seed = seed_of_test();
     std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
     Scenes scenes(chosen_commands("run into an FST"));  // GTKWave's code does not look at what single writes return

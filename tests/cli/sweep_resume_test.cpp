@@ -59,7 +59,7 @@ void check_same(SweepWorkspace const& workspace, std::string const& out, std::st
     CHECK_FALSE(workspace.has(out + "/events"));
 }
 
-TEST_CASE("A sweep that is killed at 20 random moments ends like one that is not", "[sweeps]") {
+TEST_CASE("A sweep that is killed at 10 random moments ends like one that is not", "[sweeps]") {
     SweepWorkspace const workspace;
     auto const start = std::chrono::steady_clock::now();
     require_done(workspace.sweep("undisturbed", {"-j", "2"}));
@@ -71,7 +71,7 @@ TEST_CASE("A sweep that is killed at 20 random moments ends like one that is not
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> share(0, 1);
     std::size_t kills = 0, rounds = 0;
-    while (kills < 20) {
+    while (kills < 10) {
         REQUIRE(++rounds < 200);
         if (kill_after(workspace, "out", longest * share(random))) {
             ++kills;

@@ -52,10 +52,6 @@ TEST_CASE("Engines and twin agree: deadlock-free, seeds 1000 to 1119", "[engine_
     CHECK(check_seeds(1000, 120, small_windows()) == 0);
 }
 
-TEST_CASE("Engines and twin agree: deadlock-free, seeds 1120 to 1239", "[engine_vs_twin]") {
-    CHECK(check_seeds(1120, 120, small_windows()) == 0);
-}
-
 TEST_CASE("Engines and twin agree: any configuration, seeds 2000 to 2119", "[engine_vs_twin]") {
     TrialOptions options = small_windows();
     options.config.is_deadlock_free = false;

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "dataflow/core/time/operation.hpp"
+#include "dataflow/core/time/operation_log.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace faster::testing {

@@ -2,10 +2,11 @@
 
 #include "faster/data/sample_counters.hpp"
 #include "modules/core/core_resources.hpp"
-#include "modules/core/raster_core_activity.hpp"
 #include "modules/edge_map_builder/edge_map_builder.hpp"
 #include "modules/edge_map_builder/edge_map_builder_variant.hpp"
 #include "modules/edge_map_builder/edge_map_output.hpp"
+#include "modules/edge_map_builder/map_activity.hpp"
+#include "modules/inlier_unit/depth_activity.hpp"
 #include "modules/inlier_unit/inlier_sweep.hpp"
 #include "modules/inlier_unit/inlier_unit.hpp"
 #include "modules/inlier_unit/inlier_unit_variant.hpp"
@@ -196,8 +197,30 @@ std::size_t RasterCore::most_samples_ahead() const {
     return headers + capacity("observed_depth") / context_.window_rows().tokens() + 4;
 }
 
+namespace {
+/// Each of the two hears of everything, and looks at its own loops.
+class Activity : public recording::MemoryActivity {
+  public:
+    Activity(AcceleratorConfig const& config, Machine const& machine)
+        : maps_(config, machine), depths_(config, machine) {}
+
+    void token_read(recording::TokenRead const& read) override {
+        maps_.token_read(read);
+        depths_.token_read(read);
+    }
+    void iterated(recording::LoopIteration const& iteration, recording::MemoryPorts& ports) override {
+        maps_.iterated(iteration, ports);
+        depths_.iterated(iteration, ports);
+    }
+
+  private:
+    MapActivity maps_;
+    DepthActivity depths_;
+};
+}  // namespace
+
 std::unique_ptr<recording::MemoryActivity> RasterCore::memory_activity() const {
-    return std::make_unique<RasterCoreActivity>(context_.config, machine());
+    return std::make_unique<Activity>(context_.config, machine());
 }
 
 }  // namespace faster

@@ -9,7 +9,7 @@
 #include "dataflow/base/source_site.hpp"
 #include "dataflow/core/time/bulk_runs.hpp"
 #include "dataflow/core/time/fifo_timing.hpp"
-#include "dataflow/core/time/operation.hpp"
+#include "dataflow/core/time/operation_log.hpp"
 #include "dataflow/core/time/process_shape.hpp"
 #include "dataflow/core/time/step_observer.hpp"
 #include "dataflow/core/time/trail.hpp"

@@ -232,9 +232,14 @@ Figures figures_from_file(LoadedConfig const& loaded, replay::RecordedRun const&
     return figures;
 }
 
+/// As if many more retimings were to come.
+RunStatistics retime_ready(replay::RecordedRun const& recorded, Machine const& machine) {
+    return replay::retime(replay::ScriptedRun(recorded, recorded.lead(machine)), machine);
+}
+
 void retime_as(Design const& other, replay::RecordedRun const& recorded, Outcome& outcome) {
     try {
-        outcome.other = figures_of(replay::retime(recorded, make_machine(description_of(other), settings_of(other))));
+        outcome.other = figures_of(retime_ready(recorded, make_machine(description_of(other), settings_of(other))));
     } catch (InputError const& error) {
         outcome.refusal = error.what();
     }
@@ -285,7 +290,7 @@ Outcome run_here(Design const& design, Design const& other, faster::Engine engin
         if (std::string const left = leftover_tokens(run); !run.deadlocked() && !left.empty())
             throw std::logic_error("tokens are left: " + left);
         if (records && !run.deadlocked()) {
-            outcome.as_is = figures_of(replay::retime(recorded, *machine));
+            outcome.as_is = figures_of(retime_ready(recorded, *machine));
             outcome.from_file = figures_from_file(loaded, recorded, run);
             retime_as(other, recorded, outcome);
             if (sizes)

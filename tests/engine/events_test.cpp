@@ -221,6 +221,34 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
     CHECK(deadlocks < 100);
 }
 
+TEST_CASE("Samples that are put into steps take what a run takes, whatever the depths", "[events]") {
+    test::TempFolder const folder;
+    std::size_t deadlocks = 0;
+    for (std::size_t number = 0; number < 4; ++number) {
+        AcceleratorConfig recorded = recorded_configuration(9800 + number, 0);
+        recorded.rasterizer.setup_overlap = 1 + number;
+        Stimulus const stimulus = workload(number);
+        record(recorded, stimulus, Engine::decoupled, folder / "events");
+        events::EventFile const file = events::read_event_file(folder / "events");
+        replay::ScriptedRun const scripted(file.run, raster_machine(recorded).lead);
+        CHECK(scripted.form().empty() != FASTER_HAS_LOOKUP);
+        for (std::uint64_t i = 0; i < 15; ++i) {
+            std::uint64_t const seed = 30000 + 100 * number + i;
+            CAPTURE(number, seed);
+            AcceleratorConfig const random = configuration(seed, recorded);
+            AcceleratorConfig config = recorded;
+            config.cores = random.cores;
+            for (FifoId const id : fifo_ids)
+                config.fifo(id) = random.fifo(id);
+            RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
+            check_equal(replay::retime(scripted, raster_machine(config)), run);
+            deadlocks += run.deadlocked() ? 1U : 0U;
+        }
+    }
+    CHECK(deadlocks > 0);
+    CHECK(deadlocks < 40);
+}
+
 TEST_CASE("A run that is recorded takes the time that it takes without", "[events]") {
     test::TempFolder const folder;
     std::size_t deadlocks = 0;
@@ -254,11 +282,11 @@ TEST_CASE("On how many threads a run is read does not matter", "[events]") {
         record(recorded, workload(number), Engine::decoupled, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
         timing::Lead const lead = raster_machine(recorded).lead;
-        replay::ScriptedRun const one(file.run, lead, 1);
+        replay::ScriptedRun const one(file.run, lead, replay::ScriptedRun::Uses::many, 1);
         CHECK(one.size() == file.samples.size());
         for (std::size_t const jobs : {2U, 3U, 20U}) {
             CAPTURE(number, jobs);
-            replay::ScriptedRun const run(file.run, lead, jobs);
+            replay::ScriptedRun const run(file.run, lead, replay::ScriptedRun::Uses::many, jobs);
             CHECK(run.size() == file.samples.size());
             CHECK(said_by_phrases(run) == said_by_phrases(one));
         }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "dataflow/run/events/event_file.hpp"
 #include "dataflow/run/replay/core_variant.hpp"
@@ -19,32 +20,35 @@ namespace faster::testing::replay_test {
 
 constexpr int samples = 40;
 
-events::EventFile recorded_run(test::TempFolder const& folder) {
+events::EventFile recorded_run(test::TempFolder const& folder, AcceleratorConfig const& config) {
     RandomStimulusOptions options;
     options.samples = {samples, samples};
     options.triangles = {1, 12};
     ForkOptions fork;
     fork.events = folder / "events";
-    run_forked(AcceleratorConfig(), random_stimulus(9400, options), Engine::decoupled, fork);
+    run_forked(config, random_stimulus(9400, options), Engine::decoupled, fork);
     return events::read_event_file(fork.events);
 }
 
-/// What somebody asks of a run.
+/// What somebody asks of a run, or of its first samples.
 class Watched : public replay::ScriptSource {
   public:
-    explicit Watched(replay::ScriptedRun const& run) : run_(run) {}
+    explicit Watched(replay::ScriptedRun const& run, std::size_t most = samples) : run_(run), most_(most) {}
 
     timing::PhraseBook const& book() const override { return run_.book(); }
-    std::size_t size() const override { return run_.size(); }
+    std::size_t size() const override { return std::min(run_.size(), most_); }
     replay::ScriptedSample const& operator[](std::size_t sample) const override {
         furthest = std::max(furthest, sample + 1);
         return run_[sample];
     }
 
+    timing::PhraseCore::Form const& form() const override { return run_.form(); }
+
     mutable std::size_t furthest = 0;  ///< samples up to the last that was asked for
 
   private:
     replay::ScriptedRun const& run_;
+    std::size_t most_;
 };
 
 /// In which the inlier unit waits for commands of a rasterizer that has no room for a fragment.
@@ -56,6 +60,7 @@ AcceleratorConfig deadlocking(AcceleratorConfig config) {
 struct Asked {
     std::size_t plain = 0;  ///< samples
     bool is_stuck = false;
+    std::vector<Cycles> ends;  ///< of processes
 };
 
 /// What one core asks for that does all samples.
@@ -73,12 +78,14 @@ Asked replay_all(replay::ScriptSource const& source, replay::ScriptedRun const& 
     replay.go_on_to(samples);
     core->resolve();
     asked.is_stuck = !core->waits().empty();
+    for (timing::ProcessTiming const& process : core->processes())
+        asked.ends.push_back(process.local_time());
     return asked;
 }
 
 TEST_CASE("Where nobody can go on any more, no further samples are read", "[replay]") {
     test::TempFolder const folder;
-    events::EventFile const file = recorded_run(folder);
+    events::EventFile const file = recorded_run(folder, AcceleratorConfig());
     AcceleratorConfig const recorded = accelerator_of(file.loaded.config);
     replay::ScriptedRun const run(file.run, raster_machine(recorded).lead);
     for (bool const scripted : {false, true}) {
@@ -94,6 +101,23 @@ TEST_CASE("Where nobody can go on any more, no further samples are read", "[repl
         Asked const done = replay_all(source, run, recorded);
         CHECK_FALSE(done.is_stuck);
         CHECK(done.plain + watched.furthest == samples);
+    }
+}
+
+TEST_CASE("Samples that no script has are told as they were, behind others that were told in steps", "[replay]") {
+    test::TempFolder const folder;
+    AcceleratorConfig config;
+    config.rasterizer.setup_overlap = 2;
+    events::EventFile const file = recorded_run(folder, config);
+    replay::ScriptedRun const run(file.run, raster_machine(config).lead);
+    CHECK(run.form().empty() != FASTER_HAS_LOOKUP);
+    Asked const whole = replay_all(run, run, config);
+    CHECK(whole.plain == 0);
+    for (std::size_t const scripted : {0U, 1U, 20U, 39U}) {
+        CAPTURE(scripted);
+        Asked const part = replay_all(Watched(run, scripted), run, config);
+        CHECK(part.plain == samples - scripted);
+        CHECK(part.ends == whole.ends);
     }
 }
 

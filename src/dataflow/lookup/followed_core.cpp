@@ -40,7 +40,36 @@ void FollowedCore::note_connected() {
             is_group_in_steps_ = is_group_in_steps_ || group()->has(loops->process());
 }
 
+PhraseCore::Form FollowedCore::form() {
+    connect();
+    Form form;
+    for (std::unique_ptr<LoopsInSteps> const& loops : in_steps_)
+        if (is_group_in_steps_)
+            loops->add_form(form);
+    return form;
+}
+
+PhraseCore::Formed FollowedCore::put_in_form(std::size_t process, std::vector<Operation>& operations) {
+    connect();
+    for (std::unique_ptr<LoopsInSteps> const& loops : in_steps_)
+        if (loops->process().index() == process)
+            return loops->rewrite(operations) ? Formed::anew : Formed::partly;
+    return Formed::as_before;
+}
+
+void FollowedCore::be_told_in_form(bool is_in_form) {
+    if (is_in_form == is_told_in_steps_)
+        return;
+    connect();
+    look_at_logs();
+    is_told_in_steps_ = is_in_form;
+    for (std::unique_ptr<LoopsInSteps> const& loops : in_steps_)
+        loops->pass_over();
+}
+
 void FollowedCore::look_at_logs() {
+    if (is_told_in_steps_)
+        return;
     for (std::unique_ptr<LoopsInSteps> const& loops : in_steps_)
         loops->rewrite();
 }
@@ -78,7 +107,7 @@ void FollowedCore::go_on(bool to_the_end) {
 void FollowedCore::take_up(Script& script) {
     PhraseCore::take_up(script);
     walk_ = {group(), &session_, &script, nullptr, nullptr, nullptr, 0};
-    follows_ = !is_group_in_steps_ && is_followed();
+    follows_ = (!is_group_in_steps_ || is_told_in_steps_) && is_followed();
 }
 
 bool FollowedCore::set_out() {

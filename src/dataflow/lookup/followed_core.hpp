@@ -18,6 +18,9 @@ class FollowedCore : public PhraseCore {
 
     void resume(ProcessMask processes) override;
     void take_up(Script& script) override;
+    Form form() override;
+    Formed put_in_form(std::size_t process, std::vector<Operation>& operations) override;
+    void be_told_in_form(bool is_in_form) override;
     bool follows_script() const override { return follows_; }
     bool set_out() override;
     void let_walk() override;
@@ -42,6 +45,7 @@ class FollowedCore : public PhraseCore {
     SteadyState steady_state_;
     std::vector<std::unique_ptr<LoopsInSteps>> in_steps_;  ///< of processes that have loops of steps
     bool is_group_in_steps_ = false;                       ///< members of the group
+    bool is_told_in_steps_ = false;                        ///< nothing is to be put into steps
     std::shared_ptr<Automaton> automaton_;
     Automaton::Session session_;
     Automaton::Walk walk_;

@@ -103,6 +103,27 @@ void LoopsInSteps::rewrite() {
     late_.compact();
 }
 
+void LoopsInSteps::pass_over() { process_.log().note_taken(); }
+
+bool LoopsInSteps::rewrite(std::vector<Operation>& operations) {
+    OperationLog& log = process_.log();
+    log.clear();
+    for (Operation const& operation : operations)
+        log.append(operation);
+    rewrite();
+    operations.assign(log.begin(), log.begin() + log.pending());
+    log.clear();
+    return steps_ == nullptr;
+}
+
+void LoopsInSteps::add_form(std::vector<std::uint64_t>& form) const {
+    form.push_back(process_.index());
+    for (std::size_t loop = 0; loop < loops_.size(); ++loop) {
+        Steps const steps = loops_[loop].value_or(Steps{});
+        form.insert(form.end(), {steps.lag, steps.early, steps.late, process_.loops()[loop].interval.achieved});
+    }
+}
+
 void LoopsInSteps::take(Operation const& operation) {
     if (steps_ == nullptr) {
         put(operation);

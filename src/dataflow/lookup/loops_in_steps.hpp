@@ -27,6 +27,12 @@ class LoopsInSteps {
     ProcessTiming const& process() const { return process_; }
     /// What has been told since the last time.
     void rewrite();
+    /// What has been told since then is in steps already.
+    void pass_over();
+    /// Operations that begin outside of loops, of a process that is told nothing. False: they end in a loop.
+    bool rewrite(std::vector<Operation>& operations);
+    /// All that decides what is made of operations.
+    void add_form(std::vector<std::uint64_t>& form) const;
 
   private:
     /// Of a loop.

@@ -72,10 +72,9 @@ void Automaton::find_regular_part(Walk& walk) {
         goes_on_elsewhere(supplier) ? supplies_at_hand(supplier) + 1 : regular_supplies(supplier);
     if (left > script.due)
         return;
-    std::uint64_t due = 0;
-    for (walk.end = script.next; walk.end != script.end && due + (*script.book)[*walk.end].due < left; ++walk.end)
-        due += (*script.book)[*walk.end].due;
-    walk.due_behind = script.due - due;
+    while (walk.end != script.next &&
+           script.due - walk.due_behind >= left)  // from the end: the supplier mostly has enough for nearly all
+        walk.due_behind += (*script.book)[*--walk.end].due;
 }
 
 Automaton::Place Automaton::place_of(Walk const& walk) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,24 @@ class PhraseCore : public CoreTiming {
     ///         core.arrive();
     ///     }
     virtual void take_up(Script& script);
+    // A core may put what the members of its group are told into another form, which it goes through more quickly.
+    // Cycles are the same. A script can have that form already.
+
+    /// All that the form depends on; cores with equal ones have the same. Empty: operations stay as they are.
+    using Form = std::vector<std::uint64_t>;
+    virtual Form form() { return {}; }
+    /// What a process is told for a sample, in that form. For a core that does nothing else.
+    enum class Formed {
+        as_before,  ///< they stay as they are
+        anew,
+        partly,  ///< they end within a loop, and what follows depends on it
+    };
+    virtual Formed put_in_form(std::size_t /*process*/, std::vector<Operation>& /*operations*/) {
+        return Formed::as_before;
+    }
+    /// Whether what is told from here on, by script or not, has that form already.
+    virtual void be_told_in_form(bool /*is_in_form*/) {}
+
     /// Otherwise all of a script goes to the logs.
     virtual bool follows_script() const { return false; }
     /// As far as a walk; false: the script is done, or, behind a memory, the driver waits: it goes on from there once

@@ -52,22 +52,26 @@ void CoreTiming::connect() {
 
 std::unique_ptr<CoreTiming> CoreTiming::blank_copy() const {
     auto copy = std::make_unique<CoreTiming>();
-    for (FifoTiming const& fifo : fifos_)
-        copy->add_fifo(fifo.shape());
-    for (MemoryStream const& stream : streams_)
-        copy->add_stream(stream.name(), stream.enters_by());
-    for (ProcessTiming const& process : processes_) {
-        ProcessTiming& same = copy->add_process(process.name(), process.shape());
+    copy->be_blank_copy_of(*this);
+    return copy;
+}
+
+void CoreTiming::be_blank_copy_of(CoreTiming const& core) {
+    for (FifoTiming const& fifo : core.fifos_)
+        add_fifo(fifo.shape());
+    for (MemoryStream const& stream : core.streams_)
+        add_stream(stream.name(), stream.enters_by());
+    for (ProcessTiming const& process : core.processes_) {
+        ProcessTiming& same = add_process(process.name(), process.shape());
         for (unsigned port = 0; port < process.port_count(); ++port) {
             if (process.fifo(port).is_memory()) {
-                same.add_stream(copy->stream(number_of(*process.stream())));
+                same.add_stream(stream(core.number_of(*process.stream())));
                 continue;
             }
-            FifoTiming& fifo = copy->fifo(number_of(process.fifo(port)));
-            process.writes(port) ? same.add_writes(fifo) : same.add_reads(fifo);
+            FifoTiming& own = fifo(core.number_of(process.fifo(port)));
+            process.writes(port) ? same.add_writes(own) : same.add_reads(own);
         }
     }
-    return copy;
 }
 
 std::unique_ptr<CoreTiming> CoreTiming::copy() {

@@ -70,6 +70,8 @@ class CoreTiming {
     std::unique_ptr<CoreTiming> copy();
     /// A core of the same FIFOs and processes, in which nothing has happened yet.
     std::unique_ptr<CoreTiming> blank_copy() const;
+    /// Makes that of a core without FIFOs and processes.
+    void be_blank_copy_of(CoreTiming const& core);
     /// Makes a trail shorter that has become long, so that it tells the same to whoever follows it.
     using ShortenTrail = void (*)(CoreTiming const&, Trail&);
     /// Takes down what decides the times from now on. Before anything has happened.

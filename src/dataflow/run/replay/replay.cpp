@@ -64,6 +64,7 @@ bool Replay::is_stuck() const { return std::find(is_stuck_.begin(), is_stuck_.en
 bool Replay::begin_script(std::size_t sample) {
     times_before_ = all_times();
     is_scripted_ = sample < source_.size() && !is_stuck();
+    core_.be_told_in_form(is_scripted_ && !source_.form().empty());
     if (is_scripted_)
         take_up(source_[sample], sample);
     return is_scripted_ && has_followers_;

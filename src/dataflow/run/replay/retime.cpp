@@ -45,10 +45,14 @@ Replay::Plain plain_reader(ScriptedRun const& run) {
     };
 }
 
+/// Scripts that have another form than the core's are of no use to it.
+bool has_form_for(ScriptedRun const& run, timing::PhraseCore& core) {
+    return run.form().empty() || run.form() == core.form();
+}
+
 Cores retime_cores(ScriptedRun const& run, Following following, Machine const& machine,
                    std::vector<std::size_t> const& numbers, CoreOptions const& options) {
     static NoScripts const no_scripts;
-    ScriptSource const& source = following == Following::scripts ? static_cast<ScriptSource const&>(run) : no_scripts;
     std::shared_ptr<timing::Answers> const answers = timing::make_answers();
     Cores cores;
     std::vector<std::unique_ptr<Replay>> replays;
@@ -58,8 +62,10 @@ Cores retime_cores(ScriptedRun const& run, Following following, Machine const& m
         if (options.leave_trails)
             cores.back()->leave_trail(timing::forget_trunk);
         CoreShare const share = share_of(number, machine.cores, run.run().tape.samples());
-        replays.push_back(
-            std::make_unique<Replay>(source, plain_reader(run), share, *cores.back(), run.lead(), options.leaves));
+        bool const scripts = following == Following::scripts && has_form_for(run, *cores.back());
+        replays.push_back(std::make_unique<Replay>(scripts ? static_cast<ScriptSource const&>(run) : no_scripts,
+                                                   plain_reader(run), share, *cores.back(), run.lead(),
+                                                   options.leaves));
     }
     feed_all(replays, answers.get());
     require_outcomes(cores, options.leaves == nullptr);
@@ -88,7 +94,7 @@ Cores retime_cores(ScriptedRun const& run, Machine const& machine, std::vector<s
 }
 
 RunStatistics retime(RecordedRun const& run, Machine const& machine) {
-    return retime(ScriptedRun(run, run.lead(machine)), machine);
+    return retime(ScriptedRun(run, run.lead(machine), ScriptedRun::Uses::few), machine);
 }
 
 RunStatistics retime(ScriptedRun const& run, Machine const& machine) {

@@ -19,7 +19,9 @@ std::optional<RunStatistics> retimed_if_known(ScriptedRun const& run, Machine co
 
 void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done) {
     if (!machines.empty())
-        retime_many(ScriptedRun(run, run.lead(machines.front())), machines, done);
+        retime_many(ScriptedRun(run, run.lead(machines.front()),
+                                machines.size() > 2 ? ScriptedRun::Uses::many : ScriptedRun::Uses::few),
+                    machines, done);
 }
 
 void retime_many(ScriptedRun const& run, std::vector<Machine> const& machines, Done const& done) {

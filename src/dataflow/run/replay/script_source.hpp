@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "dataflow/phrases/phrase_core.hpp"
 #include "dataflow/run/replay/scripted_sample.hpp"
 
 namespace dataflow::replay {
@@ -14,6 +15,8 @@ class ScriptSource {
     /// Samples from this one on are not there.
     virtual std::size_t size() const = 0;
     virtual ScriptedSample const& operator[](std::size_t sample) const = 0;
+    /// That samples have; see PhraseCore. Empty: as they were told.
+    virtual timing::PhraseCore::Form const& form() const = 0;
 
   protected:
     ScriptSource() = default;
@@ -31,9 +34,11 @@ class NoScripts : public ScriptSource {
     ScriptedSample const& operator[](std::size_t /*sample*/) const override {
         throw std::logic_error("there are no scripts");
     }
+    timing::PhraseCore::Form const& form() const override { return form_; }
 
   private:
     timing::PhraseBook book_;
+    timing::PhraseCore::Form form_;
 };
 
 }  // namespace dataflow::replay

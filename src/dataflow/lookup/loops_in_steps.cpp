@@ -43,7 +43,7 @@ bool reads_what_it_writes(ProcessTiming const& process) {
 }
 }  // namespace
 
-std::unique_ptr<LoopsInSteps> LoopsInSteps::of(ProcessTiming& process) {
+std::unique_ptr<LoopsInSteps> LoopsInSteps::of(ProcessTiming& process, bool in_two) {
     std::vector<LoopShape> const& loops = process.loops();
     bool const makes_attempts =
         std::any_of(loops.begin(), loops.end(), [](LoopShape const& loop) { return loop.makes_attempts; });
@@ -54,6 +54,8 @@ std::unique_ptr<LoopsInSteps> LoopsInSteps::of(ProcessTiming& process) {
     bool has_any = false;
     for (std::size_t i = 0; i < loops.size(); ++i) {
         steps.push_back(steps_of(process, loops[i], shape->plans[i]));
+        if (steps.back() && steps.back()->offset > 0 && !in_two)
+            steps.back().reset();
         if (!steps.back())
             continue;
         shape->plans[i] = shape->plans[i].in_steps();
@@ -69,8 +71,9 @@ std::unique_ptr<LoopsInSteps> LoopsInSteps::of(ProcessTiming& process) {
 /// waited for the one when he waits for the other for ever.
 std::optional<LoopsInSteps::Steps> LoopsInSteps::steps_of(ProcessTiming& process, LoopShape const& loop,
                                                           LoopPlan const& plan) {
-    if (plan.aligned || loop.rewinds || plan.phases.size() != 1 || plan.longest_lag > longest_lag ||
-        loop.reads.empty() || loop.writes.empty())
+    if (plan.aligned || loop.rewinds || plan.phases.size() > 2 || plan.phases.front().offset != 0 ||
+        plan.longest_lag > longest_lag || plan.phases.back().offset > longest_lag || loop.reads.empty() ||
+        loop.writes.empty())
         return std::nullopt;
     auto const readers_of = [&process](Ports::Number ports) {
         ProcessMask readers = 0;
@@ -81,11 +84,15 @@ std::optional<LoopsInSteps::Steps> LoopsInSteps::steps_of(ProcessTiming& process
     };
     Steps steps;
     steps.lag = static_cast<std::uint32_t>(plan.longest_lag);
-    for (auto const& [port, lag] : plan.phases.front().ports) {
-        if (port >= Ports::in_masks || (lag != 0 && lag != plan.longest_lag))
-            return std::nullopt;
-        (lag == 0 ? steps.early : steps.late) |= Ports::of(port).number();
-    }
+    steps.offset = static_cast<std::uint32_t>(plan.phases.back().offset);
+    for (LoopPhase const& phase : plan.phases)
+        for (auto const& [port, lag] : phase.ports) {
+            bool const is_early = lag == 0 && phase.offset == 0;
+            bool const is_late = lag == plan.longest_lag && phase.offset == steps.offset;
+            if (port >= Ports::in_masks || (!is_early && !is_late))
+                return std::nullopt;
+            (is_early ? steps.early : steps.late) |= Ports::of(port).number();
+        }
     if ((readers_of(steps.early) & readers_of(steps.late)) != 0)
         return std::nullopt;
     return steps;
@@ -120,7 +127,8 @@ void LoopsInSteps::add_form(std::vector<std::uint64_t>& form) const {
     form.push_back(process_.index());
     for (std::size_t loop = 0; loop < loops_.size(); ++loop) {
         Steps const steps = loops_[loop].value_or(Steps{});
-        form.insert(form.end(), {steps.lag, steps.early, steps.late, process_.loops()[loop].interval.achieved});
+        form.insert(form.end(),
+                    {steps.lag, steps.offset, steps.early, steps.late, process_.loops()[loop].interval.achieved});
     }
 }
 
@@ -168,7 +176,7 @@ void LoopsInSteps::iterate_in_both(Operation const& operation) {
         late_.append(Operation(Kind::iterate, run.ports & steps_->late, 0, run.count));
         for (std::uint32_t left = run.count; left > 0;) {
             Run const late = take_run(late_, left);
-            put(static_cast<Ports::Number>((run.ports & steps_->early) | late.ports), late.count);
+            put(run.ports & steps_->early, late.ports, late.count);
             left -= late.count;
         }
     }
@@ -180,14 +188,25 @@ void LoopsInSteps::leave() {
     while (!late_.exhausted()) {
         Run const run = take_run(late_, Operation::longest_count);
         for (std::uint32_t i = 0; i < run.count; ++i)
-            put(run.ports == 0 ? Operation(Kind::wait, 0, 0, interval_)
-                               : Operation(Kind::step, run.ports, 0, interval_));
+            put_drained(run.ports);
     }
     steps_ = nullptr;
 }
 
+void LoopsInSteps::put_drained(Ports::Number late) {
+    if (late == 0) {
+        put(Operation(Kind::wait, 0, 0, interval_));
+        return;
+    }
+    if (steps_->offset > 0)
+        put(Operation(Kind::wait, 0, 0, steps_->offset));
+    put(Operation(Kind::step, late, 0, interval_ - steps_->offset));
+}
+
 /// Operations of which all steps are due.
 void LoopsInSteps::pass_whole() {
+    if (steps_->offset > 0)
+        return;
     while (!late_.exhausted() && late_.begin()->iterations() <= due_) {
         Operation const operation = *late_.begin();
         due_ -= operation.iterations();
@@ -197,11 +216,32 @@ void LoopsInSteps::pass_whole() {
 }
 
 void LoopsInSteps::pass_due() {
+    if (steps_ == nullptr)
+        return;
     pass_whole();
     while (due_ > 0) {
         Run const run = take_run(late_, due_);
         due_ -= run.count;
-        put(run.ports, run.count);
+        put(0, run.ports, run.count);
+    }
+}
+
+void LoopsInSteps::put(Ports::Number early, Ports::Number late, std::uint32_t iterations) {
+    if (steps_->offset > 0)
+        put_in_two(early, late, iterations);
+    else
+        put(static_cast<Ports::Number>(early | late), iterations);
+}
+
+void LoopsInSteps::put_in_two(Ports::Number early, Ports::Number late, std::uint32_t iterations) {
+    bool const is_silent = early == 0 && late == 0;
+    std::uint32_t const at_once = is_silent ? Operation::longest_count / steps_->offset : 1;
+    for (std::uint32_t left = iterations; left > 0;) {
+        std::uint32_t const count = std::min(left, at_once);
+        put(early == 0 ? Operation(Kind::wait, 0, 0, count * steps_->offset)
+                       : Operation(Kind::step, early, 0, steps_->offset));
+        put(Operation(Kind::iterate, late, 0, count));
+        left -= count;
     }
 }
 

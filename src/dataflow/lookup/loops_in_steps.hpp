@@ -17,12 +17,16 @@ namespace dataflow::timing {
 ///     reads         v   v   .   .                       reads   v   v   .   .
 ///     writes        a   .   b   c   2 steps later  ->   writes          a   .   b   c
 ///
+/// Where the initiation interval is not 1, the late accesses may come some steps behind the early ones, within the same
+/// interval. Then the early ones are a step of their own in front of an iteration that does the late ones.
+///
 /// Cycles and figures are the same. Rewrites what one process is told of such loops.
 class LoopsInSteps {
   public:
     /// Null: the process has no such loop, or may do what needs its loops as they are. Otherwise the process has loops
     /// of steps from here on, and its log is rewritten each time before it goes on. Before it has done anything.
-    static std::unique_ptr<LoopsInSteps> of(ProcessTiming& process);
+    /// `in_two`: also where an iteration accesses ports in two of its steps, which pays where phrases are looked up.
+    static std::unique_ptr<LoopsInSteps> of(ProcessTiming& process, bool in_two);
 
     ProcessTiming const& process() const { return process_; }
     /// What has been told since the last time.
@@ -37,7 +41,8 @@ class LoopsInSteps {
   private:
     /// Of a loop.
     struct Steps {
-        std::uint32_t lag = 0;
+        std::uint32_t lag = 0;              ///< iterations
+        std::uint32_t offset = 0;           ///< steps more
         Ports::Number early = 0, late = 0;  ///< masks
     };
 
@@ -52,6 +57,9 @@ class LoopsInSteps {
     void leave();
     void pass_whole();
     void pass_due();
+    void put(Ports::Number early, Ports::Number late, std::uint32_t iterations);
+    void put_in_two(Ports::Number early, Ports::Number late, std::uint32_t iterations);
+    void put_drained(Ports::Number late);
     void put(Ports::Number ports, std::uint32_t steps);
     void put(Operation const& operation);
     void end_run();

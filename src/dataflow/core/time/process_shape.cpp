@@ -51,6 +51,7 @@ LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting
 LoopPlan LoopPlan::in_steps() const {
     LoopPlan plan = *this;
     plan.aligned = true;
+    plan.ii -= phases.back().offset;
     plan.drain -= static_cast<std::int64_t>(longest_lag * ii);
     plan.longest_lag = 0;
     return plan;

@@ -62,8 +62,8 @@ struct LoopPhase {
 /// read and to write.
 struct LoopPlan {
     explicit LoopPlan(LoopShape const& loop);
-    /// Of a loop with one step per iteration, told by steps instead of iterations, and behind those by as many steps as
-    /// the longest lag: see LoopsInSteps.
+    /// Of a loop told by steps instead of iterations, and behind those by as many steps as the longest lag: see
+    /// LoopsInSteps. Where an iteration accesses ports in two of its steps, it is what it does from the later one on.
     LoopPlan in_steps() const;
     /// Steps from an iteration's first to the one that accesses a port; none: it does not.
     std::optional<Cycles> step_of(unsigned port) const;

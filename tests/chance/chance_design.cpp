@@ -31,7 +31,8 @@ class Maker {
         : dice_(seed),
           dice_for_attempts_(~seed),
           dice_for_memory_(seed ^ 0x5A5A5A5A),
-          dice_for_empty_(seed ^ 0x3C3C3C3C) {}
+          dice_for_empty_(seed ^ 0x3C3C3C3C),
+          dice_for_pace_(seed ^ 0x69696969) {}
 
     Design make() {
         add_processes();
@@ -49,6 +50,8 @@ class Maker {
         for (Process& process : design_.processes)
             if (dice_for_empty_.one_in(5))
                 add_empty_loop(process);
+        if (!dice_for_pace_.one_in(3))
+            set_pace();
         return design_;
     }
 
@@ -237,6 +240,25 @@ class Maker {
             segment.at_memory.push_back(!is_rare || dice_for_memory_.one_in(2));
     }
 
+    /// Who accesses FIFOs without waiting has none.
+    void set_pace() {
+        auto const is_tried = [](Fifo const& fifo) { return fifo.writer_tries || fifo.reader_tries; };
+        if (std::any_of(design_.fifos.begin(), design_.fifos.end(), is_tried))
+            return;
+        design_.driver = dice_for_pace_.below(design_.processes.size());
+        std::vector<bool> follows(design_.processes.size(), false);
+        for (std::size_t f = 0; f < design_.fifos.size(); ++f) {
+            Fifo const& fifo = design_.fifos[f];
+            if (fifo.is_ping_pong || (fifo.writer != design_.driver && fifo.reader != design_.driver))
+                continue;
+            std::size_t const other = fifo.writer == design_.driver ? fifo.reader : fifo.writer;
+            if (follows[other] || dice_for_pace_.one_in(5))
+                continue;
+            follows[other] = true;
+            design_.anchors.push_back(f);
+        }
+    }
+
     void add_loop(Process& process, std::size_t loop, std::vector<Accesses> iterations) {
         Segment segment;
         segment.kind = Segment::Kind::loop;
@@ -310,6 +332,7 @@ class Maker {
     Dice dice_for_attempts_;
     Dice dice_for_memory_;
     Dice dice_for_empty_;
+    Dice dice_for_pace_;
     Design design_;
 };
 
@@ -396,11 +419,28 @@ Design retimed(Design const& design, std::uint64_t seed) {
     return other;
 }
 
+namespace {
+CoreDescription::Pace pace_of(Design const& design) {
+    CoreDescription::Pace pace;
+    if (design.anchors.empty())
+        return pace;
+    pace.driver = design.processes[design.driver].name;
+    for (std::size_t const anchor : design.anchors) {
+        Fifo const& fifo = design.fifos[anchor];
+        std::size_t const follower = fifo.writer == design.driver ? fifo.reader : fifo.writer;
+        pace.followers.push_back({design.processes[follower].name, fifo.name});
+    }
+    return pace;
+}
+}  // namespace
+
 CoreDescription plain_description_of(Design const& design) {
     std::vector<ModuleDescription> modules;
     for (std::size_t i = 0; i < design.processes.size(); ++i)
         modules.push_back(module_of(design, i));
-    return core_of(modules);
+    CoreDescription core = core_of(modules);
+    core.pace = pace_of(design);
+    return core;
 }
 
 CoreDescription description_of(Design const& design) {
@@ -448,6 +488,15 @@ std::uint64_t accesses_of(Design const& design, std::size_t process, std::size_t
     return static_cast<std::uint64_t>(count);
 }
 
+namespace {
+std::string names_of(Design const& design, Accesses const& accesses) {
+    std::string names;
+    for (std::size_t const fifo : accesses)
+        names += " " + design.fifos[fifo].name;
+    return names;
+}
+}  // namespace
+
 std::string text_of(Design const& design) {
     std::string text = std::to_string(design.cores) + " cores, " + std::to_string(design.samples) + " samples, rules " +
                        std::to_string(static_cast<int>(design.rules)) +
@@ -457,18 +506,16 @@ std::string text_of(Design const& design) {
                                                   std::to_string(design.memory.burst_bytes) + ", " +
                                                   std::to_string(design.memory.outstanding) + " outstanding\n"
                                             : "\n");
+    if (!design.anchors.empty())
+        text += "paced by " + design.processes[design.driver].name + ", followed by way of" +
+                names_of(design, design.anchors) + "\n";
     for (Fifo const& fifo : design.fifos)
         text += fifo.name + ": " + design.processes[fifo.writer].name + " (stage " + std::to_string(fifo.write_stage) +
                 ") to " + design.processes[fifo.reader].name + " (stage " + std::to_string(fifo.read_stage) +
                 "), depth " + std::to_string(fifo.depth) + " kind " + std::to_string(static_cast<int>(fifo.kind)) +
                 " of " + std::to_string(fifo.bits) + (fifo.is_ping_pong ? " bits, ping-pong" : " bits") +
                 (fifo.writer_tries ? ", writer tries" : "") + (fifo.reader_tries ? ", reader tries" : "") + "\n";
-    auto const list = [&](Accesses const& accesses) {
-        std::string names;
-        for (std::size_t const fifo : accesses)
-            names += " " + design.fifos[fifo].name;
-        return names;
-    };
+    auto const list = [&](Accesses const& accesses) { return names_of(design, accesses); };
     for (Process const& process : design.processes) {
         text +=
             process.name + (process.takes_early ? " (takes early)" : "") +

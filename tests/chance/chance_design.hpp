@@ -89,6 +89,9 @@ struct Design {
     FifoGeneration rules = FifoGeneration::vitis_hls;
     CallOrder calls = CallOrder::overlapped;
     ExternalMemorySettings memory;
+    /// Who sets the pace, and by which FIFOs others follow it, if any do. No cycle depends on it.
+    std::size_t driver = 0;
+    Accesses anchors;
     std::uint64_t cores = 1;
     std::size_t samples = 1;
 

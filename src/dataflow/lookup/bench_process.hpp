@@ -125,6 +125,7 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
     bool goes_by_steps() const { return false; }
     bool choose(Operation const& /*operation*/) const { return true; }  // no follower makes attempts
     bool may_go_on() const { return true; }
+    std::int64_t first_call() const { return state_.time; }  // is over: everybody in the group has begun
     bool may_access(Ports::Number /*ports*/) const { return true; }
     void wait_for(BenchPort const& port) { blocked_at_ |= port.fifo; }
     void charge(BenchPort const& port, std::int64_t stall) {

@@ -6,12 +6,6 @@ namespace dataflow::timing {
 
 namespace {
 ProcessMask bit_of(unsigned process) { return ProcessMask{1} << process; }
-
-bool is_in_lead(Lead const& lead, unsigned process) {
-    auto const is_it = [process](Lead::Follower const& follower) { return follower.process == process; };
-    bool const follows = std::any_of(lead.followers.begin(), lead.followers.end(), is_it);
-    return follows || (process == lead.driver && !lead.followers.empty());
-}
 }  // namespace
 
 std::unique_ptr<PhraseCore> make_core() { return std::make_unique<FollowedCore>(); }
@@ -38,7 +32,7 @@ void FollowedCore::note_trail(Trail& trail) {
 void FollowedCore::note_connected() {
     if (!keeps_logs())
         for (ProcessTiming& process : own_processes())
-            if (std::unique_ptr<LoopsInSteps> loops = LoopsInSteps::of(process, is_in_lead(lead(), process.index())))
+            if (std::unique_ptr<LoopsInSteps> loops = LoopsInSteps::of(process, lead().has(process.index())))
                 in_steps_.push_back(std::move(loops));
     PhraseCore::note_connected();
     if (group() != nullptr)

@@ -111,11 +111,16 @@ void RelativeState::set_room_time(unsigned number, std::uint64_t i, Cycles cycle
     FifoTiming::View(fifo).rules().free[i] = cycle;
 }
 
+namespace {
+/// As the bench counts it: a first call has begun before anything is worked out there.
+bool awaits_setups_or_calls(ProcessShape const& shape) { return shape.sets_up_ahead || shape.call_start.is_in_turn; }
+}  // namespace
+
 std::uint32_t RelativeState::blocks_of(ProcessTiming const& process) {
     std::uint32_t blocks = 0;
     for (LoopShape const& loop : process.loops())
         blocks += blocks_of(loop);
-    return blocks + (process.shape()->sets_up_ahead ? 1 : 0);
+    return blocks + (awaits_setups_or_calls(*process.shape()) ? 1 : 0);
 }
 
 std::uint32_t RelativeState::blocks() const {
@@ -156,7 +161,7 @@ FigureTotals::const_iterator RelativeState::enter(ProcessTiming& process, Figure
         loop.port_conflict_beyond_end += figures->sums[1];
         ++figures;
     }
-    if (process.shape()->sets_up_ahead)
+    if (awaits_setups_or_calls(*process.shape()))
         ProcessTiming::View(process).figures().awaited_setup_cycles += (figures++)->sums[0];
     return figures;
 }

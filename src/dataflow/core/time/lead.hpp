@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 namespace dataflow::timing {
@@ -15,6 +16,13 @@ struct Lead {
     };
     unsigned driver = 0;  ///< number of a process
     std::vector<Follower> followers;
+
+    /// The driver or a follower, if there are any.
+    bool has(unsigned process) const {
+        auto const is_it = [process](Follower const& follower) { return follower.process == process; };
+        bool const follows = std::any_of(followers.begin(), followers.end(), is_it);
+        return follows || (process == driver && !followers.empty());
+    }
 };
 
 }  // namespace dataflow::timing

@@ -34,6 +34,7 @@ namespace dataflow::timing {
 ///     void iterates(std::uint64_t first, std::uint64_t count)  they begin at the local time
 ///     void entered(), entered_again(), count_end(), left()  a loop
 ///     void awaited_setup(Time cycles), awaited_write(Cycles cycles), stamped()
+///     Time first_call() const                       the cycle in which the first call may begin
 ///     void let_bubbles_in(Port const&, Time bubbles, Time from)  a flushing pipeline, instead of what a port reads
 ///     void lets_out(Port const&, Time due, Time cycle)  a token, which may have waited; told before the access
 ///     void waits_for_room(Port const&)  for a token in a flushing pipeline, whatever else it waits for
@@ -383,8 +384,8 @@ template <class Process, class Port> class ProcessRules {
         } else if (operation.gap() == Operation::setup_end) {
             await_setup();
         } else if (operation.gap() == Operation::call_start) {
-            CallStart const& start = shape_->call_start;
-            if (wait_in_setup(static_cast<Time>(start.after) + (start.is_in_turn ? state_.time : 0)))
+            bool const is_in_turn = shape_->call_start.is_in_turn;
+            if (wait_in_setup(is_in_turn ? state_.time + call_delay() : self().first_call()))
                 mark(Region());
         } else {
             mark(Region::setup());
@@ -392,6 +393,8 @@ template <class Process, class Port> class ProcessRules {
             mark(Region());
         }
     }
+    /// What a call waits for, from the begin of the region that it is part of.
+    Time call_delay() const { return static_cast<Time>(shape_->call_start.after); }
     void await_setup() {
         Time const done = state_.setups_done.front();
         state_.setups_done.erase(state_.setups_done.begin());

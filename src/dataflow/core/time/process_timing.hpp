@@ -256,6 +256,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
 
     // What ProcessRules ask for.
     bool goes_by_steps() const { return by_steps_ || stops_; }
+    Cycles first_call() const { return call_delay(); }
     bool may_go_on() {
         bool const goes_on = !pauses_ || figures_.stamps.size() == stamps_before_;
         status_ = Status::ready;

@@ -20,7 +20,8 @@ RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine);
 
 using Cores = std::vector<std::unique_ptr<timing::PhraseCore>>;
 
-/// Asked after each sample of a core: whether to leave the others.
+/// Asked after each sample of a core: whether to leave the others. What processes of the lead group have waited so far
+/// is not all in their counters then.
 using Leaves = std::function<bool(timing::CoreTiming const& timing)>;
 
 struct CoreOptions {

@@ -13,6 +13,11 @@ bool accesses(Operation const& operation, std::uint32_t ports) {
     timing::Ports::Number const tail = operation.tail_ports();
     return operation.is_at(ports) || (timing::Ports::is_mask(tail) && (tail & ports) != 0);
 }
+/// Of a follower's operation; 0 if it accesses others as well: what comes of it is not known from the group alone.
+timing::Ports::Number ports_inside(Operation const& operation, timing::Group::Member const& member) {
+    auto const ports = static_cast<timing::Ports::Number>(operation.ports() & ~member.fed_ports);
+    return (ports & ~member.inner_ports) == 0 ? ports : timing::Ports::Number{0};
+}
 }  // namespace
 
 ScriptedSample SampleCutter::cut(SampleOperations operations) {
@@ -50,7 +55,7 @@ void SampleCutter::open(unsigned member, ScriptedSample& cut) {
     for (auto operation = first; operation != before.end(); ++operation)
         log(member).append(*operation);
     if (member != 0 && first != before.end())
-        cut.script.next_ports[member] = first->ports();
+        cut.script.next_ports[member] = ports_inside(*first, lead_.group.members()[member]);
     before.erase(first, before.end());
 }
 

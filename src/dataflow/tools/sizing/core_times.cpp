@@ -222,10 +222,10 @@ timing::ProcessTiming const* CoreTimes::writer_of_results(timing::CoreTiming con
 
 /// What the writer of the results does is the same with all FIFOs; only its waiting is not. It takes at least what the
 /// collector waits for it up to the last result: its last token comes no sooner. Both may wait otherwise, and the
-/// collector go on after the last result: that is left out.
+/// collector go on after the last result: that is left out. Not of a lead group, whose waiting nobody knows on the way.
 void CoreTimes::note_work(std::size_t number, timing::CoreTiming const& core, Cycles end) {
     timing::ProcessTiming const* const writer = writer_of_results(core);
-    if (work_[number] || writer == nullptr || writer->flushes())
+    if (work_[number] || writer == nullptr || writer->flushes() || run_->lead().has(writer->index()))
         return;
     timing::ProcessTiming const& collector = core.processes()[machine_.ends];
     Cycles const waited = collector.fifo(*first_read_port(collector)).empty_stall_cycles();

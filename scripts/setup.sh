@@ -3,7 +3,7 @@
 #   scripts/setup.sh             what building, testing and running need
 #   scripts/setup.sh --package   also what makes a .deb with man pages
 #   scripts/setup.sh --dev       also clang-format, clang-tidy, Chromium for tests of pages, strace for tests of faults,
-#                                Yosys for what the register-transfer twin takes, matplotlib and pandas for tests of the
+#                                Valgrind to count instructions, Yosys for what the register-transfer twin takes, matplotlib and pandas for tests of the
 #                                package for Python, what makes the .deb and tries it in a bare root, pip for releases
 set -euo pipefail
 
@@ -17,7 +17,7 @@ packages=(
 for argument in "$@"; do
     case "$argument" in
         --package) packages+=(dpkg-dev help2man) ;;
-        --dev) packages+=(clang-format clang-tidy chromium strace yosys python3-matplotlib python3-pandas python3-pip
+        --dev) packages+=(clang-format clang-tidy chromium strace valgrind yosys python3-matplotlib python3-pandas python3-pip
             debootstrap dpkg-dev help2man lintian) ;;
         -h | --help)
             echo "usage: setup.sh [--package] [--dev]"

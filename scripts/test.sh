@@ -2,9 +2,9 @@
 # Installs what is missing, builds and runs all tests but the long ones and those that want a cluster, and checks the format.
 #   scripts/test.sh            preset release
 #   scripts/test.sh --tidy     also clang-tidy, which takes minutes
-#   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, engine tests without dataflow/lookup, the
-#                              changes of docs/changing-the-design.md, the .deb in a bare Debian, 20 seconds of fuzzing; a
-#                              missing clang-format is an error
+#   CI=true scripts/test.sh    preset ci (warnings are errors), clang-tidy, instructions counted, engine tests without
+#                              dataflow/lookup, the changes of docs/changing-the-design.md, the .deb in a bare Debian, 20
+#                              seconds of fuzzing; a missing clang-format is an error
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -53,6 +53,7 @@ cmake --build --preset "$preset"
 ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -LE '^(long|cluster)$'
 
 if [[ "${CI:-}" == true ]]; then
+    bash scripts/count-instructions.sh "$preset"
     bash scripts/check-without-lookup.sh "$preset"
     bash scripts/check-changes.sh "$preset"
     bash scripts/check-package.sh "$preset"

@@ -16,6 +16,22 @@ namespace design_check_test {
 using namespace faster;
 using faster::test::input_error_text;
 
+/// first -f-> second -g-> third, first -h-> fourth, fourth -i-> third, fourth -k-> first.
+CoreDescription row_of_four() {
+    auto const module = [](char const* name, std::vector<std::string> const& writes,
+                           std::vector<std::string> const& reads) {
+        ModuleDescription described(name);
+        for (std::string const& fifo : writes)
+            described.writes_to(fifo).of_bits(32).leaves("loop", 1);
+        for (std::string const& fifo : reads)
+            described.reads_from(fifo).taken("loop", 0);
+        described.loop("loop").of_depth(2);
+        return described;
+    };
+    return core_of({module("first", {"f", "h"}, {"k"}), module("second", {"g"}, {"f"}), module("third", {}, {"g", "i"}),
+                    module("fourth", {"i", "k"}, {"h"})});
+}
+
 /// A writer and a reader, with whatever is changed.
 std::string complaint_about(std::function<void(ModuleDescription& writer, ModuleDescription& reader)> const& change) {
     ModuleDescription writer("writer"), reader("reader");
@@ -26,6 +42,43 @@ std::string complaint_about(std::function<void(ModuleDescription& writer, Module
     reader.loop("receive").of_depth(2);
     change(writer, reader);
     return input_error_text([&] { make_machine(core_of({writer, reader}), {}); });
+}
+
+/// Three in a row and a fourth that reads from the first, with a pace.
+std::string complaint_about_pace(CoreDescription::Pace const& pace) {
+    CoreDescription core = row_of_four();
+    core.pace = pace;
+    return input_error_text([&] { make_machine(core, {}); });
+}
+
+TEST_CASE("a pace is of the design's modules, each by a FIFO to the driver", "[machine]") {
+    CHECK(complaint_about_pace({"second", {{"first", "f"}, {"third", "g"}}}) == "(no error)");
+    CHECK(complaint_about_pace({"secnd", {{"first", "f"}}}) ==
+          "the pace names a module secnd, which there is not, expected one of the design, did you mean second?");
+    CHECK(complaint_about_pace({"second", {{"frist", "f"}}}) ==
+          "the pace names a module frist, which there is not, expected one of the design, did you mean first?");
+    CHECK(complaint_about_pace({"second", {{"first", "g"}}}) ==
+          "module first follows by the FIFO g in the pace, expected a FIFO between it and second");
+    CHECK(complaint_about_pace({"second", {{"first", "f"}, {"first", "f"}}}) ==
+          "in the pace two members have the name first, expected another name for one of them");
+}
+
+TEST_CASE("one follower is ahead of the driver, and is told nothing by the group", "[machine]") {
+    auto const followers_of = [](CoreDescription::Pace const& pace) {
+        CoreDescription core = row_of_four();
+        core.pace = pace;
+        Machine const machine = make_machine(core, {});
+        std::vector<std::string> names;
+        for (timing::Lead::Follower const& follower : machine.lead.followers)
+            names.push_back(machine.processes[follower.process].name);
+        return names;
+    };
+    using Names = std::vector<std::string>;
+    CHECK(followers_of({"second", {{"first", "f"}, {"third", "g"}}}) == Names{"first", "third"});
+    CHECK(followers_of({"third", {{"second", "g"}, {"fourth", "i"}}}) == Names{"second"});  // two ahead
+    CHECK(followers_of({"third", {{"fourth", "i"}, {"second", "g"}}}) == Names{"fourth"});
+    CHECK(followers_of({"first", {{"second", "f"}, {"fourth", "h"}}}) == Names{"second", "fourth"});
+    CHECK(followers_of({"first", {{"fourth", "k"}, {"second", "f"}}}) == Names{"second"});  // it reads h
 }
 
 TEST_CASE("a sound design has no complaints", "[machine]") {

@@ -54,6 +54,7 @@ class DesignCheck {
         for (std::string const& fifo : core_.fifos)
             for (bool const writes : {true, false})
                 check_ends(fifo, writes);
+        check_pace();
     }
 
   private:
@@ -126,6 +127,35 @@ class DesignCheck {
             throw InputError("the FIFO " + fifo + (writes ? " is written" : " is read") + " by " + there[0] +
                              " and by " + there[1] + ", expected one " + (writes ? "writer" : "reader") +
                              ", and a FIFO for each other");
+    }
+    void check_pace() const {
+        if (core_.pace.driver.empty())
+            return;
+        NamedOnce members("in the pace", "members");
+        members.add(paced(core_.pace.driver).name);
+        for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
+            members.add(follower.module);
+            if (!joins(follower.anchor, paced(core_.pace.driver), paced(follower.module)))
+                throw InputError("module " + follower.module + " follows by the FIFO " + follower.anchor +
+                                 " in the pace, expected a FIFO between it and " + core_.pace.driver);
+        }
+    }
+    ModuleDescription const& paced(std::string const& name) const {
+        Names names;
+        for (ModuleDescription const& module : core_.modules) {
+            if (module.name == name)
+                return module;
+            names.push_back(module.name);
+        }
+        throw InputError("the pace names a module " + name + ", which there is not, expected one of the design" +
+                         did_you_mean(name, names));
+    }
+    static bool joins(std::string const& fifo, ModuleDescription const& one, ModuleDescription const& other) {
+        auto const accesses = [&fifo](ModuleDescription const& module, bool writes) {
+            return std::any_of(module.ends.begin(), module.ends.end(),
+                               [&](FifoEnd const& end) { return end.fifo == fifo && end.writes == writes; });
+        };
+        return (accesses(one, true) && accesses(other, false)) || (accesses(one, false) && accesses(other, true));
     }
     static bool hold(Conditions const& conditions) {
         return std::all_of(conditions.begin(), conditions.end(), [](Condition const& one) { return one.holds; });

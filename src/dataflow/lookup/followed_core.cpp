@@ -53,7 +53,7 @@ PhraseCore::Formed FollowedCore::put_in_form(std::size_t process, std::vector<Op
     connect();
     for (std::unique_ptr<LoopsInSteps> const& loops : in_steps_)
         if (loops->process().index() == process)
-            return loops->rewrite(operations) ? Formed::anew : Formed::partly;
+            return loops->rewrite(operations) ? Formed::anew : Formed::impossible;
     return Formed::as_before;
 }
 

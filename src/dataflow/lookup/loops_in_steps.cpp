@@ -1,12 +1,19 @@
 #include "dataflow/lookup/loops_in_steps.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace dataflow::timing {
 
 namespace {
 using Kind = Operation::Kind;
 constexpr std::uint64_t longest_lag = 4096;
+constexpr std::uint64_t most_in_two = std::uint64_t{1} << 22;  // iterations of a sample
+
+std::uint64_t iterations_of(std::vector<Operation> const& operations) {
+    return std::accumulate(operations.begin(), operations.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, Operation const& operation) { return sum + operation.iterations(); });
+}
 
 /// Equal iterations at the front of a log, without silent ones in between.
 struct Run {
@@ -113,6 +120,8 @@ void LoopsInSteps::rewrite() {
 void LoopsInSteps::pass_over() { process_.log().note_taken(); }
 
 bool LoopsInSteps::rewrite(std::vector<Operation>& operations) {
+    if (is_told_in_two() && iterations_of(operations) > most_in_two)
+        return false;
     OperationLog& log = process_.log();
     log.clear();
     for (Operation const& operation : operations)
@@ -121,6 +130,12 @@ bool LoopsInSteps::rewrite(std::vector<Operation>& operations) {
     operations.assign(log.begin(), log.begin() + log.pending());
     log.clear();
     return steps_ == nullptr;
+}
+
+/// Two operations for each iteration.
+bool LoopsInSteps::is_told_in_two() const {
+    return std::any_of(loops_.begin(), loops_.end(),
+                       [](std::optional<Steps> const& steps) { return steps && steps->offset > 0; });
 }
 
 void LoopsInSteps::add_form(std::vector<std::uint64_t>& form) const {

@@ -33,7 +33,8 @@ class LoopsInSteps {
     void rewrite();
     /// What has been told since then is in steps already.
     void pass_over();
-    /// Operations that begin outside of loops, of a process that is told nothing. False: they end in a loop.
+    /// Operations that begin outside of loops, of a process that is told nothing. False: they end in a loop, or become
+    /// too many.
     bool rewrite(std::vector<Operation>& operations);
     /// All that decides what is made of operations.
     void add_form(std::vector<std::uint64_t>& form) const;
@@ -50,6 +51,7 @@ class LoopsInSteps {
         : process_(process), loops_(std::move(loops)) {}
     static std::optional<Steps> steps_of(ProcessTiming& process, LoopShape const& loop, LoopPlan const& plan);
 
+    bool is_told_in_two() const;
     void take(Operation const& operation);
     void enter(std::size_t loop);
     void iterate(Operation const& operation);

@@ -48,7 +48,7 @@ class PhraseCore : public CoreTiming {
     enum class Formed {
         as_before,  ///< they stay as they are
         anew,
-        partly,  ///< they end within a loop, and what follows depends on it
+        impossible,  ///< they end within a loop, and what follows depends on it; or would become too many
     };
     virtual Formed put_in_form(std::size_t /*process*/, std::vector<Operation>& /*operations*/) {
         return Formed::as_before;

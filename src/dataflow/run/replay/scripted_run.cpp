@@ -16,10 +16,16 @@ namespace dataflow::replay {
 namespace {
 
 using timing::PhraseBook;
-using Share = ScriptedRun::Share;
 
 constexpr std::size_t most_bytes_of_run = std::size_t{1} << 28;
 constexpr std::size_t samples_worth_a_thread = 16;
+
+/// Some of the samples, with phrases of a book of their own.
+struct Share {
+    std::vector<ScriptedSample> samples;
+    PhraseBook book;
+    bool is_whole = false;  ///< nothing was left to the tape
+};
 
 std::size_t bytes_of(ScriptedSample const& sample) {
     std::size_t operations = 0;
@@ -74,7 +80,7 @@ class Former {
         for (std::size_t process = 0; process < operations.size(); ++process) {
             std::vector<timing::Operation>& told = operations[process];
             Formed const formed = core_->put_in_form(process, told);
-            if (formed == Formed::partly)
+            if (formed == Formed::impossible)
                 return false;
             if (formed == Formed::anew)
                 told = canonical(told.data(), told.size());
@@ -86,6 +92,22 @@ class Former {
     LeadCore lead_;
     SampleCutter cutter_;
 };
+
+/// All shares or none: who follows a script is told the others in its form, too. Which that is; behind a memory samples
+/// stay as they were told.
+timing::PhraseCore::Form put_in_form(RecordedRun const& run, timing::Lead const& lead, std::vector<Share>& shares) {
+    timing::PhraseCore::Form const form = run.memory ? timing::PhraseCore::Form() : Former(run, lead).form();
+    if (form.empty())
+        return form;
+    std::vector<std::optional<Share>> formed(shares.size());
+    on_threads(shares.size(), shares.size(), [&](std::size_t i) { formed[i] = Former(run, lead).formed(shares[i]); });
+    auto const is_there = [](std::optional<Share> const& share) { return share.has_value(); };
+    if (!std::all_of(formed.begin(), formed.end(), is_there))
+        return {};
+    std::transform(formed.begin(), formed.end(), shares.begin(),
+                   [](std::optional<Share>& share) { return std::move(*share); });
+    return form;
+}
 
 /// Puts the phrases of a share into the book of all, and their numbers there into its samples.
 void renumber(Share& share, PhraseBook& book) {
@@ -106,7 +128,7 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, Uses 
         shares[i] = read_share(run, lead, i * samples / jobs, (i + 1) * samples / jobs, most_bytes_of_run / jobs);
     });
     if (uses == Uses::many)
-        put_in_form(shares);
+        form_ = put_in_form(run, lead, shares);
     book_ = std::move(shares.front().book);
     for (Share& share : shares) {
         if (&share != &shares.front())
@@ -116,24 +138,6 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, Uses 
             break;  // the tape has all that follow
     }
     timing::PhraseCutter(*run.blueprint, lead).cut_from(book_, 0);
-}
-
-/// All of them or none: what follows a script must be in its form. Behind a memory they stay as they were told.
-void ScriptedRun::put_in_form(std::vector<Share>& shares) {
-    if (run_->memory)
-        return;
-    timing::PhraseCore::Form const form = Former(*run_, lead_).form();
-    if (form.empty())
-        return;
-    std::vector<std::optional<Share>> formed(shares.size());
-    on_threads(shares.size(), shares.size(),
-               [&](std::size_t i) { formed[i] = Former(*run_, lead_).formed(shares[i]); });
-    auto const is_there = [](std::optional<Share> const& share) { return share.has_value(); };
-    if (!std::all_of(formed.begin(), formed.end(), is_there))
-        return;
-    form_ = form;
-    std::transform(formed.begin(), formed.end(), shares.begin(),
-                   [](std::optional<Share>& share) { return std::move(*share); });
 }
 
 }  // namespace dataflow::replay

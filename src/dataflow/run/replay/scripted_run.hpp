@@ -12,13 +12,6 @@ namespace dataflow::replay {
 /// samples beyond a quarter of a gigabyte are left to the tape. The run must outlive it. `lead` is that of its machine.
 class ScriptedRun : public ScriptSource {
   public:
-    /// Some of the samples, with phrases of a book of their own.
-    struct Share {
-        std::vector<ScriptedSample> samples;
-        timing::PhraseBook book;
-        bool is_whole = false;  ///< nothing was left to the tape
-    };
-
     /// For how many retimings: to put samples into another form takes as long as some of them.
     enum class Uses { few, many };
 
@@ -33,8 +26,6 @@ class ScriptedRun : public ScriptSource {
     timing::PhraseCore::Form const& form() const override { return form_; }
 
   private:
-    void put_in_form(std::vector<Share>& shares);
-
     RecordedRun const* run_;
     timing::Lead lead_;
     timing::PhraseCore::Form form_;

@@ -14,13 +14,11 @@ if(FASTER_SANITIZERS)
   set(faster_test_options -O0)
 endif()
 
-# What most tests include, compiled once for all of them.
-file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/test_header.cpp "")
-add_library(faster_test_header OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_header.cpp)
-target_precompile_headers(faster_test_header PRIVATE <catch2/catch.hpp> <filesystem> <fstream> <nlohmann/json.hpp> <random> <sstream> <thread> <Eigen/Geometry>)
-target_link_libraries(faster_test_header PRIVATE faster_options Catch2::Catch2 Eigen3::Eigen nlohmann_json::nlohmann_json)
-set_target_properties(faster_test_header PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-target_compile_options(faster_test_header PRIVATE -fPIE ${faster_test_options})  # as executables are compiled
+# What most tests include.
+faster_compile_headers(faster_test_header
+  HEADERS <catch2/catch.hpp> <filesystem> <fstream> <nlohmann/json.hpp> <random> <sstream> <thread> <Eigen/Geometry>
+  LIBRARIES faster_options Catch2::Catch2 Eigen3::Eigen nlohmann_json::nlohmann_json)
+target_compile_options(faster_test_header PRIVATE ${faster_test_options})
 
 # faster_add_test_library(NAME <STATIC|OBJECT> SOURCES... [LIBRARIES...])
 function(faster_add_test_library name type)

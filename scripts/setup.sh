@@ -3,8 +3,9 @@
 #   scripts/setup.sh             what building, testing and running need
 #   scripts/setup.sh --package   also what makes a .deb with man pages
 #   scripts/setup.sh --dev       also clang-format, clang-tidy, Chromium for tests of pages, strace for tests of faults,
-#                                Valgrind to count instructions, Yosys for what the register-transfer twin takes, matplotlib and pandas for tests of the
-#                                package for Python, what makes the .deb and tries it in a bare root, pip for releases
+#                                Valgrind to count instructions, Yosys for what the register-transfer twin takes,
+#                                matplotlib and pandas for tests of the package for Python, what makes the .deb and
+#                                tries it in a bare root, pip for releases
 set -euo pipefail
 
 packages=(

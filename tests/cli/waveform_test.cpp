@@ -496,7 +496,8 @@ TEST_CASE("A waveform of more than 2 GB has to be forced", "[vcd]") {
         folder.path());
     check_bad_input(result, {"--vcd a.vcd", "GB", "--vcd-samples", "--force"});
     CHECK_FALSE(std::filesystem::exists(folder / "a.vcd"));
-    for (Words const& window : {Words{"--vcd-samples", "10-500"}, Words{"--vcd-to", "18446744073709551615"}}) {
+    for (Words const& window :
+         {Words{"--vcd-samples", "10-500"}, Words{"--vcd-from", "1"}, Words{"--vcd-to", "18446744073709551615"}}) {
         Words words{"run", FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml", "--fst", "a.fst", "--vcd", "a.vcd"};
         words.insert(words.end(), window.begin(), window.end());
         check_bad_input(run_command(FASTER_SIM_BINARY, words, folder.path()), {"--vcd a.vcd", "GB", "--force"});

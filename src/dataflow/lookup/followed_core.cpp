@@ -43,9 +43,10 @@ void FollowedCore::note_connected() {
 PhraseCore::Form FollowedCore::form() {
     connect();
     Form form;
+    if (!is_group_in_steps_)
+        return form;
     for (std::unique_ptr<LoopsInSteps> const& loops : in_steps_)
-        if (is_group_in_steps_)
-            loops->add_form(form);
+        loops->add_form(form);
     return form;
 }
 

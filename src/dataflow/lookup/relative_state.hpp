@@ -33,9 +33,9 @@ class RelativeState {
     void restore(StateView state, Cycles driver_time);
     /// The figures of a group that only grow, in blocks: of each loop of each member its entries and iterations, and
     /// the cycles in which those waited for writes; in a second one, if there can be any, the cycles lost beyond its
-    /// ends; of a member that sets up ahead, or whose
-    /// calls are in turn, the cycles in which it awaited setups and calls; of each FIFO between members its
-    /// tokens gone through, its full stalls, its empty stalls, and its largest occupancy.
+    /// ends; of a member that sets up ahead, or whose calls are in turn, the cycles in which it awaited setups and
+    /// calls; of each FIFO between members its tokens gone through, its full stalls, its empty stalls, and its largest
+    /// occupancy.
     static std::uint32_t blocks_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 2 : 1; }
     static std::uint32_t blocks_of(ProcessTiming const& process);
     std::uint32_t blocks() const;

@@ -72,8 +72,8 @@ void Automaton::find_regular_part(Walk& walk) {
         goes_on_elsewhere(supplier) ? supplies_at_hand(supplier) + 1 : regular_supplies(supplier);
     if (left > script.due)
         return;
-    while (walk.end != script.next &&
-           script.due - walk.due_behind >= left)  // from the end: the supplier mostly has enough for nearly all
+    // From the end, as the supplier mostly has enough for nearly all.
+    while (walk.end != script.next && script.due - walk.due_behind >= left)
         walk.due_behind += (*script.book)[*--walk.end].due;
 }
 

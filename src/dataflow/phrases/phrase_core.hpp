@@ -29,15 +29,6 @@ class PhraseCore : public CoreTiming {
     /// to follow: the core stays as it is. Before anything has happened.
     virtual void let_follow(Lead const& lead, std::shared_ptr<Answers> const& answers);
 
-    /// From here on, does what a script says, which goes on where the logs end: what cannot be done yet is in the logs
-    /// then. There must be a lead with followers. In parts, so that cores that share answers can take turns:
-    ///
-    ///     core.take_up(script);
-    ///     while (core.set_out()) {
-    ///         answers.go_on({&core});
-    ///         core.arrive();
-    ///     }
-    virtual void take_up(Script& script);
     // A core may put what the members of its group are told into another form, which it goes through more quickly.
     // Cycles are the same. A script can have that form already.
 
@@ -56,7 +47,16 @@ class PhraseCore : public CoreTiming {
     /// Whether what is told from here on, by script or not, has that form already.
     virtual void be_told_in_form(bool /*is_in_form*/) {}
 
-    /// Otherwise all of a script goes to the logs.
+    /// From here on, does what a script says, which goes on where the logs end: what cannot be done yet is in the logs
+    /// then. There must be a lead with followers. In parts, so that cores that share answers can take turns:
+    ///
+    ///     core.take_up(script);
+    ///     while (core.set_out()) {
+    ///         answers.go_on({&core});
+    ///         core.arrive();
+    ///     }
+    virtual void take_up(Script& script);
+    /// Whether it looks phrases of a script up. Otherwise all of a script goes to the logs.
     virtual bool follows_script() const { return false; }
     /// As far as a walk; false: the script is done, or, behind a memory, the driver waits: it goes on from there once
     /// the memory has brought more.

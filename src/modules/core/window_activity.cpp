@@ -35,7 +35,7 @@ void WindowActivity::iterated(recording::LoopIteration const& iteration, recordi
     access_for(iteration);
 }
 
-PixelBox WindowActivity::box_between(Token const& first, Token const& last) const {
+PixelBox WindowActivity::box_between(Token const& first, Token const& last) {
     return {static_cast<int>(first.row), static_cast<int>(first.col), static_cast<int>(last.row) + 1,
             static_cast<int>(last.col) + 1};
 }
@@ -44,6 +44,18 @@ PixelBox WindowActivity::box_at_hand(Token const& first, Token const& last) cons
     if (!has_regions_)
         return {0, 0, static_cast<int>(side_), static_cast<int>(side_)};
     return process_ == fifos_.filled_by ? box_between(first, last) : regions_[process_];
+}
+
+LaneRows WindowActivity::rows_at_hand(std::int64_t lanes, Token const& first, Token const& last) const {
+    return {static_cast<int>(side_), static_cast<int>(lanes), box_at_hand(first, last)};
+}
+
+std::vector<std::int64_t> WindowActivity::cols_of(Token const& token) {
+    std::vector<std::int64_t> cols;
+    for (std::int64_t lane = 0; token.mask >> lane != 0; ++lane)
+        if ((token.mask >> lane) % 2 != 0)
+            cols.push_back(token.col + lane);
+    return cols;
 }
 
 std::vector<std::int64_t> WindowActivity::pixels_of(LaneRows const& rows, std::int64_t iteration) {

@@ -44,11 +44,14 @@ class WindowActivity : public recording::MemoryActivity {
     std::int64_t side() const { return side_; }
     bool scans_groups() const { return scans_groups_; }
 
-    /// What the process at hand reads out: what two corners enclose which the filling process has read last, or what
-    /// it got with its buffer. Without regions, the window.
-    PixelBox box_at_hand(Token const& first, Token const& last) const;
+    /// What the process at hand reads out, as tokens of so many pixels: what two corners enclose which the filling
+    /// process has read last, or what it got with its buffer. Without regions, the window.
+    LaneRows rows_at_hand(std::int64_t lanes, Token const& first, Token const& last) const;
     /// The pixels of the window in an iteration's token. There are none before the first and behind the last.
     static std::vector<std::int64_t> pixels_of(LaneRows const& rows, std::int64_t iteration);
+
+    /// Of the pixels that a token stands for.
+    static std::vector<std::int64_t> cols_of(Token const& token);
 
     // Accesses of the process at hand; of pixels beside the window there are none
     void access(std::size_t memory, bool writes, std::int64_t pixel);
@@ -62,7 +65,8 @@ class WindowActivity : public recording::MemoryActivity {
 
   private:
     void clear_in_all_banks(std::size_t memory, std::uint64_t word);
-    PixelBox box_between(Token const& first, Token const& last) const;
+    static PixelBox box_between(Token const& first, Token const& last);
+    PixelBox box_at_hand(Token const& first, Token const& last) const;
     void take_buffer(recording::TokenRead const& read);
 
     Machine const& machine_;

@@ -74,9 +74,8 @@ MapActivity::Branch const& MapActivity::branch_at(Cycles cycle) const {
 
 void MapActivity::take_token(Cycles cycle) {
     Branch const& branch = branch_at(cycle);
-    for (std::int64_t lane = 0; token_.mask >> lane != 0; ++lane) {
-        std::int64_t const col = token_.col + lane;
-        if ((token_.mask >> lane) % 2 == 0 || token_.row < 0 || token_.row >= side() || col < 0 || col >= side())
+    for (std::int64_t const col : cols_of(token_)) {
+        if (token_.row < 0 || token_.row >= side() || col < 0 || col >= side())
             continue;
         access_around(edge_map_, branch.edge_map, token_.row, col);
         access_around(object_map_, branch.object_map, token_.row, col);
@@ -88,8 +87,7 @@ void MapActivity::take_token(Cycles cycle) {
 void MapActivity::read_out(std::int64_t iteration) {
     EdgeMapDesign const& design = design_of(maps_.algorithm);
     bool const clears = maps_.clearing == MapClearing::on_read_out;
-    LaneRows const rows{static_cast<int>(side()), static_cast<int>(lanes_), box_at_hand(token_, next_)};
-    for (std::int64_t const pixel : pixels_of(rows, iteration)) {
+    for (std::int64_t const pixel : pixels_of(rows_at_hand(lanes_, token_, next_), iteration)) {
         access(design.output.edge_map > 0 ? edge_map_ : object_map_, false, pixel);
         if (clears && design.bits.edge_map > 0)
             access(edge_map_, true, pixel);

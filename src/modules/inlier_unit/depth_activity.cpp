@@ -62,10 +62,6 @@ void DepthActivity::access_for(recording::LoopIteration const& iteration) {
     }
 }
 
-LaneRows DepthActivity::rows_at_hand(std::int64_t lanes) const {
-    return {static_cast<int>(side()), static_cast<int>(lanes), box_at_hand(fragment_before_, fragment_)};
-}
-
 bool DepthActivity::is_inner(std::int64_t pixel) const {
     std::int64_t const row = pixel / side();
     std::int64_t const col = pixel % side();
@@ -81,16 +77,15 @@ void DepthActivity::draw(Cycles cycle) {
 }
 
 void DepthActivity::access_fragment(bool writes, std::vector<PixelOffset> const& words) {
-    for (std::int64_t lane = 0; fragment_.mask >> lane != 0; ++lane)
-        if ((fragment_.mask >> lane) % 2 != 0)
-            access(depth_buffer_, writes, words, fragment_.row, fragment_.col + lane);
+    for (std::int64_t const col : cols_of(fragment_))
+        access(depth_buffer_, writes, words, fragment_.row, col);
 }
 
 /// Line buffers and pixels with a depth of their own take each word once, in order. Otherwise the pixel and its four
 /// neighbours, the border skipped; a word is cleared when its last neighbour has been judged.
 void DepthActivity::sweep(std::int64_t iteration) {
     bool const reads_neighbours = sweep_.accesses.reads.size() > static_cast<std::size_t>(lanes_);
-    LaneRows const rows = rows_at_hand(lanes_);
+    LaneRows const rows = rows_at_hand(lanes_, fragment_before_, fragment_);
     for (std::int64_t const pixel : pixels_of(rows, iteration))
         reads_neighbours ? sweep_neighbours(pixel) : sweep_word(pixel);
     if (sweep_.accesses.writes.empty())
@@ -117,7 +112,7 @@ void DepthActivity::sweep_neighbours(std::int64_t pixel) {
 
 /// Reads the word that enters the line buffers, or the whole neighbourhood; writes the judged word with its edge bit.
 void DepthActivity::extract(std::int64_t iteration) {
-    LaneRows const rows = rows_at_hand(1);
+    LaneRows const rows = rows_at_hand(1, fragment_before_, fragment_);
     auto const lead = static_cast<std::int64_t>(extract_.lead(rows.tokens_per_row()));
     for (std::int64_t const entered : pixels_of(rows, extract_.line_buffer_rows > 0 ? iteration : -1))
         access(depth_buffer_, false, entered);

@@ -25,7 +25,6 @@ class DepthActivity : public WindowActivity {
     void extract(std::int64_t iteration);
     void extract_pixel(std::int64_t judged);
     bool is_inner(std::int64_t pixel) const;
-    LaneRows rows_at_hand(std::int64_t lanes) const;
 
     MapClearing clearing_;
     AccessPattern fragment_words_, sweep_words_;  // around a pixel: of a fragment, and of one that is judged

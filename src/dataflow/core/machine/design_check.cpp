@@ -109,8 +109,7 @@ class DesignCheck {
                                  did_you_mean(access.memory, memories_));
         for (bool const writes : {true, false})
             for (std::string const& fifo : writes ? loop.writes : loop.reads)
-                if (std::none_of(module.ends.begin(), module.ends.end(),
-                                 [&](FifoEnd const& end) { return end.fifo == fifo && end.writes == writes; }))
+                if (!accesses(module, fifo, writes))
                     throw InputError("loop " + module.name + "." + loop.name + (writes ? " writes" : " reads") +
                                      " the FIFO " + fifo + ", which its module does not, expected " +
                                      (writes ? "writes_to" : "reads_from") + "(\"" + fifo + "\") in its describe()");
@@ -132,12 +131,13 @@ class DesignCheck {
         if (core_.pace.driver.empty())
             return;
         NamedOnce members("in the pace", "members");
-        members.add(paced(core_.pace.driver).name);
+        ModuleDescription const& driver = paced(core_.pace.driver);
+        members.add(driver.name);
         for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
             members.add(follower.module);
-            if (!joins(follower.anchor, paced(core_.pace.driver), paced(follower.module)))
+            if (!joins(follower.anchor, driver, paced(follower.module)))
                 throw InputError("module " + follower.module + " follows by the FIFO " + follower.anchor +
-                                 " in the pace, expected a FIFO between it and " + core_.pace.driver);
+                                 " in the pace, expected a FIFO between it and " + driver.name);
         }
     }
     ModuleDescription const& paced(std::string const& name) const {
@@ -150,12 +150,13 @@ class DesignCheck {
         throw InputError("the pace names a module " + name + ", which there is not, expected one of the design" +
                          did_you_mean(name, names));
     }
+    static bool accesses(ModuleDescription const& module, std::string const& fifo, bool writes) {
+        return std::any_of(module.ends.begin(), module.ends.end(),
+                           [&](FifoEnd const& end) { return end.fifo == fifo && end.writes == writes; });
+    }
     static bool joins(std::string const& fifo, ModuleDescription const& one, ModuleDescription const& other) {
-        auto const accesses = [&fifo](ModuleDescription const& module, bool writes) {
-            return std::any_of(module.ends.begin(), module.ends.end(),
-                               [&](FifoEnd const& end) { return end.fifo == fifo && end.writes == writes; });
-        };
-        return (accesses(one, true) && accesses(other, false)) || (accesses(one, false) && accesses(other, true));
+        return (accesses(one, fifo, true) && accesses(other, fifo, false)) ||
+               (accesses(one, fifo, false) && accesses(other, fifo, true));
     }
     static bool hold(Conditions const& conditions) {
         return std::all_of(conditions.begin(), conditions.end(), [](Condition const& one) { return one.holds; });

@@ -8,8 +8,8 @@
 namespace dataflow::replay {
 
 /// A recorded run made ready for retiming: its samples are decoded once, and put into the form in which a core of the
-/// recorded machine goes through them most quickly. Takes 4 bytes per phrase and 8 per operation;
-/// samples beyond a quarter of a gigabyte are left to the tape. The run must outlive it. `lead` is that of its machine.
+/// recorded machine goes through them most quickly. Takes 4 bytes per phrase and 8 per operation; samples beyond a
+/// quarter of a gigabyte are left to the tape. The run must outlive it. `lead` is that of its machine.
 class ScriptedRun : public ScriptSource {
   public:
     /// For how many retimings: to put samples into another form takes as long as some of them.

@@ -221,7 +221,7 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
     CHECK(deadlocks < 100);
 }
 
-TEST_CASE("Samples that are put into steps take what a run takes, whatever the depths", "[events]") {
+TEST_CASE("Samples that are put into steps take what a run takes, whatever the depths and intervals", "[events]") {
     test::TempFolder const folder;
     std::size_t deadlocks = 0;
     for (std::size_t number = 0; number < 4; ++number) {
@@ -231,12 +231,11 @@ TEST_CASE("Samples that are put into steps take what a run takes, whatever the d
         record(recorded, stimulus, Engine::decoupled, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
         replay::ScriptedRun const scripted(file.run, raster_machine(recorded).lead);
-        CHECK(scripted.form().empty() != FASTER_HAS_LOOKUP);
-        for (std::uint64_t i = 0; i < 15; ++i) {
+        for (std::uint64_t i = 0; i < 30; ++i) {
             std::uint64_t const seed = 30000 + 100 * number + i;
             CAPTURE(number, seed);
             AcceleratorConfig const random = configuration(seed, recorded);
-            AcceleratorConfig config = recorded;
+            AcceleratorConfig config = i % 2 == 0 ? random : recorded;  // with other forms, or not
             config.cores = random.cores;
             for (FifoId const id : fifo_ids)
                 config.fifo(id) = random.fifo(id);
@@ -246,7 +245,7 @@ TEST_CASE("Samples that are put into steps take what a run takes, whatever the d
         }
     }
     CHECK(deadlocks > 0);
-    CHECK(deadlocks < 40);
+    CHECK(deadlocks < 80);
 }
 
 TEST_CASE("A run that is recorded takes the time that it takes without", "[events]") {

@@ -30,24 +30,24 @@ events::EventFile recorded_run(test::TempFolder const& folder, AcceleratorConfig
     return events::read_event_file(fork.events);
 }
 
-/// What somebody asks of a run, or of its first samples.
+/// What somebody asks of scripts, or of the first of them.
 class Watched : public replay::ScriptSource {
   public:
-    explicit Watched(replay::ScriptedRun const& run, std::size_t most = samples) : run_(run), most_(most) {}
+    explicit Watched(replay::ScriptSource const& source, std::size_t most = samples) : source_(source), most_(most) {}
 
-    timing::PhraseBook const& book() const override { return run_.book(); }
-    std::size_t size() const override { return std::min(run_.size(), most_); }
+    timing::PhraseBook const& book() const override { return source_.book(); }
+    std::size_t size() const override { return std::min(source_.size(), most_); }
     replay::ScriptedSample const& operator[](std::size_t sample) const override {
         furthest = std::max(furthest, sample + 1);
-        return run_[sample];
+        return source_[sample];
     }
 
-    timing::PhraseCore::Form const& form() const override { return run_.form(); }
+    timing::PhraseCore::Form const& form() const override { return source_.form(); }
 
     mutable std::size_t furthest = 0;  ///< samples up to the last that was asked for
 
   private:
-    replay::ScriptedRun const& run_;
+    replay::ScriptSource const& source_;
     std::size_t most_;
 };
 
@@ -63,12 +63,18 @@ struct Asked {
     std::vector<Cycles> ends;  ///< of processes
 };
 
+/// One of those that samples are told to.
+std::unique_ptr<timing::PhraseCore> core_of(replay::ScriptedRun const& run, Machine const& machine) {
+    auto core = replay::core_variant(*run.run().blueprint, machine);
+    core->let_follow(machine.lead, timing::make_answers());
+    return core;
+}
+
 /// What one core asks for that does all samples.
 Asked replay_all(replay::ScriptSource const& source, replay::ScriptedRun const& run, AcceleratorConfig const& config) {
     Asked asked;
     Machine const machine = raster_machine(config);
-    auto const core = replay::core_variant(*run.run().blueprint, machine);
-    core->let_follow(machine.lead, timing::make_answers());
+    auto const core = core_of(run, machine);
     replay::PlainReader reader(run.run(), run.lead());
     auto const plain = [&](std::size_t sample) {
         ++asked.plain;
@@ -109,16 +115,21 @@ TEST_CASE("Samples that no script has are told as they were, behind others that 
     AcceleratorConfig config;
     config.rasterizer.setup_overlap = 2;
     events::EventFile const file = recorded_run(folder, config);
-    replay::ScriptedRun const run(file.run, raster_machine(config).lead);
-    CHECK(run.form().empty() != FASTER_HAS_LOOKUP);
-    Asked const whole = replay_all(run, run, config);
+    Machine const machine = raster_machine(config);
+    replay::ScriptedRun const run(file.run, machine.lead);
+    auto const formed = run.samples_for(*core_of(run, machine), machine);
+    CHECK(formed->form().empty() != FASTER_HAS_LOOKUP);
+    Asked const whole = replay_all(*formed, run, config);
     CHECK(whole.plain == 0);
     for (std::size_t const scripted : {0U, 1U, 20U, 39U}) {
         CAPTURE(scripted);
-        Asked const part = replay_all(Watched(run, scripted), run, config);
+        Asked const part = replay_all(Watched(*formed, scripted), run, config);
         CHECK(part.plain == samples - scripted);
         CHECK(part.ends == whole.ends);
     }
+    Asked const as_told = replay_all(run, run, config);
+    CHECK(as_told.plain == 0);
+    CHECK(as_told.ends == whole.ends);
 }
 
 }  // namespace faster::testing::replay_test

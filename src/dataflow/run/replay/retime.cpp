@@ -45,16 +45,12 @@ Replay::Plain plain_reader(ScriptedRun const& run) {
     };
 }
 
-/// Scripts that have another form than the core's are of no use to it.
-bool has_form_for(ScriptedRun const& run, timing::PhraseCore& core) {
-    return run.form().empty() || run.form() == core.form();
-}
-
 Cores retime_cores(ScriptedRun const& run, Following following, Machine const& machine,
                    std::vector<std::size_t> const& numbers, CoreOptions const& options) {
     static NoScripts const no_scripts;
     std::shared_ptr<timing::Answers> const answers = timing::make_answers();
     Cores cores;
+    std::shared_ptr<ScriptSource const> samples;  // the same for all: cores are alike
     std::vector<std::unique_ptr<Replay>> replays;
     for (std::size_t const number : numbers) {
         cores.push_back(core_variant(*run.run().blueprint, machine));
@@ -62,10 +58,10 @@ Cores retime_cores(ScriptedRun const& run, Following following, Machine const& m
         if (options.leave_trails)
             cores.back()->leave_trail(timing::forget_trunk);
         CoreShare const share = share_of(number, machine.cores, run.run().tape.samples());
-        bool const scripts = following == Following::scripts && has_form_for(run, *cores.back());
-        replays.push_back(std::make_unique<Replay>(scripts ? static_cast<ScriptSource const&>(run) : no_scripts,
-                                                   plain_reader(run), share, *cores.back(), run.lead(),
-                                                   options.leaves));
+        if (samples == nullptr && following == Following::scripts)
+            samples = run.samples_for(*cores.back(), machine);
+        replays.push_back(std::make_unique<Replay>(samples ? *samples : no_scripts, plain_reader(run), share,
+                                                   *cores.back(), run.lead(), options.leaves));
     }
     feed_all(replays, answers.get());
     require_outcomes(cores, options.leaves == nullptr);

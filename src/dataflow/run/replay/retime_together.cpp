@@ -134,8 +134,11 @@ class Together {
     bool has_more() const { return std::find(is_left_.begin(), is_left_.end(), false) != is_left_.end(); }
 
     void add_scripted(std::size_t core) {
-        ScriptedCore& scripted = scripted_.emplace_back(
-            run_, shares_[core], *cores_[core], [this](timing::CoreTiming const& timing) { return leaves(timing); });
+        if (scripts_ == nullptr)
+            scripts_ = run_.samples_for(*cores_[core], machine_);
+        ScriptedCore& scripted =
+            scripted_.emplace_back(*scripts_, run_.lead(), shares_[core], *cores_[core],
+                                   [this](timing::CoreTiming const& timing) { return leaves(timing); });
         memory_->add_core(*cores_[core], shares_[core].count > 0,
                           [&scripted](timing::ProcessMask woken) { scripted.go_on(woken); });
     }
@@ -206,6 +209,7 @@ class Together {
     std::vector<CoreShare> shares_;
     Cores cores_;
     std::optional<timing::MemorySystem> memory_;
+    std::shared_ptr<ScriptSource const> scripts_;
     std::deque<ScriptedCore> scripted_;
     std::vector<bool> is_left_;  // by core
 };

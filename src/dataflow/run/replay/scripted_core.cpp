@@ -19,11 +19,13 @@ bool is_scripted(timing::Group const& group, std::size_t process) {
 }
 }  // namespace
 
-ScriptedCore::ScriptedCore(ScriptedRun const& run, CoreShare share, timing::PhraseCore& core, Leaves leaves)
-    : run_(run), share_(share), core_(core), group_(core, run.lead()), leaves_(std::move(leaves)) {
+ScriptedCore::ScriptedCore(ScriptSource const& source, timing::Lead const& lead, CoreShare share,
+                           timing::PhraseCore& core, Leaves leaves)
+    : source_(source), share_(share), core_(core), group_(core, lead), leaves_(std::move(leaves)) {
+    core.be_told_in_form(!source.form().empty());
     for (std::size_t i = 0; i < core.processes().size(); ++i)
         for (std::size_t k = 0; k < share.count && !is_scripted(group_, i); ++k)
-            append_sample(run[share.first + k].before[i], core.process(i).log());
+            append_sample(source[share.first + k].before[i], core.process(i).log());
 }
 
 void ScriptedCore::go_on(timing::ProcessMask woken) {
@@ -73,7 +75,7 @@ void ScriptedCore::take_up_next() {
         append_sample(sample().before[process], core_.process(process).log());
     });
     script_ = sample().script;
-    script_.book = &run_.book();
+    script_.book = &source_.book();
     script_.next = sample().phrases.data();
     script_.end = script_.next + sample().phrases.size();
     core_.take_up(script_);
@@ -99,7 +101,7 @@ void ScriptedCore::note_who_is_done() {
         idle |= core_.processes()[process].log().exhausted() && has_more(process) ? 1U << m : 0U;
     });
     for (auto const* phrase = script_.next; phrase != script_.end && idle != 0; ++phrase)
-        idle &= ~run_.book()[*phrase].active;
+        idle &= ~source_.book()[*phrase].active;
     has_more_to_say_ = has_more_to_say_ || idle != 0;
 }
 
@@ -107,7 +109,7 @@ void ScriptedCore::note_who_is_done() {
 bool ScriptedCore::has_more(std::size_t process) const {
     bool const ends = is_following_ && !sample().after[process].empty();
     std::size_t const next = fed_ + (is_following_ ? 1 : 0);
-    return ends || (next < share_.count && !run_[share_.first + next].before[process].empty());
+    return ends || (next < share_.count && !source_[share_.first + next].before[process].empty());
 }
 
 }  // namespace dataflow::replay

@@ -4,7 +4,7 @@
 #include "dataflow/base/core_share.hpp"
 #include "dataflow/phrases/phrase_core.hpp"
 #include "dataflow/run/replay/retime.hpp"
-#include "dataflow/run/replay/scripted_run.hpp"
+#include "dataflow/run/replay/script_source.hpp"
 
 namespace dataflow::replay {
 
@@ -12,8 +12,9 @@ namespace dataflow::replay {
 /// from the start, so whenever it stops it has got as far as it can with what the memory has brought so far.
 class ScriptedCore {
   public:
-    /// All of the samples must be scripted. The core follows the lead of the run, and everything must outlive this.
-    ScriptedCore(ScriptedRun const& run, CoreShare share, timing::PhraseCore& core, Leaves leaves);
+    /// All of the samples must be scripted. The core follows the lead, and all but that must outlive this.
+    ScriptedCore(ScriptSource const& source, timing::Lead const& lead, CoreShare share, timing::PhraseCore& core,
+                 Leaves leaves);
 
     /// As far as it gets, once the memory has brought something for some processes, a bit each.
     void go_on(timing::ProcessMask woken);
@@ -29,9 +30,9 @@ class ScriptedCore {
     bool awaits_driver() const;
     void note_who_is_done();
     bool has_more(std::size_t process) const;
-    ScriptedSample const& sample() const { return run_[share_.first + fed_]; }
+    ScriptedSample const& sample() const { return source_[share_.first + fed_]; }
 
-    ScriptedRun const& run_;
+    ScriptSource const& source_;
     CoreShare share_;
     timing::PhraseCore& core_;
     timing::Group group_;

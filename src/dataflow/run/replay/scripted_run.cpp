@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
-#include <optional>
 
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/phrases/phrase_cutter.hpp"
-#include "dataflow/run/replay/canonical_operations.hpp"
-#include "dataflow/run/replay/sample_cutter.hpp"
 #include "dataflow/run/replay/tape_reader.hpp"
 
 namespace dataflow::replay {
@@ -49,66 +45,6 @@ Share read_share(RecordedRun const& run, timing::Lead const& lead, std::size_t f
     return share;
 }
 
-/// Puts samples into the form of cores of the recorded machine.
-class Former {
-  public:
-    Former(RecordedRun const& run, timing::Lead const& lead)
-        : core_(timing::make_core()), lead_(*run.blueprint, lead), cutter_(*run.blueprint, lead) {
-        core_->be_blank_copy_of(*run.blueprint);
-        core_->let_follow(lead, timing::make_answers());
-    }
-
-    timing::PhraseCore::Form form() { return core_->form(); }
-
-    /// None if one of the samples cannot be told so.
-    std::optional<Share> formed(Share const& share) {
-        Share formed;
-        formed.is_whole = share.is_whole;
-        for (ScriptedSample const& sample : share.samples) {
-            SampleOperations operations = joined(sample, share.book, lead_.group);
-            if (!put_in_form(operations))
-                return std::nullopt;
-            formed.samples.push_back(cutter_.cut(std::move(operations)));
-            formed.samples.back().renumber(formed.book.numbers_of(cutter_.book()));
-        }
-        return formed;
-    }
-
-  private:
-    bool put_in_form(SampleOperations& operations) {
-        using Formed = timing::PhraseCore::Formed;
-        for (std::size_t process = 0; process < operations.size(); ++process) {
-            std::vector<timing::Operation>& told = operations[process];
-            Formed const formed = core_->put_in_form(process, told);
-            if (formed == Formed::impossible)
-                return false;
-            if (formed == Formed::anew)
-                told = canonical(told.data(), told.size());
-        }
-        return true;
-    }
-
-    std::unique_ptr<timing::PhraseCore> core_;
-    LeadCore lead_;
-    SampleCutter cutter_;
-};
-
-/// All shares or none: who follows a script is told the others in its form, too. Which that is; behind a memory samples
-/// stay as they were told.
-timing::PhraseCore::Form put_in_form(RecordedRun const& run, timing::Lead const& lead, std::vector<Share>& shares) {
-    timing::PhraseCore::Form const form = run.memory ? timing::PhraseCore::Form() : Former(run, lead).form();
-    if (form.empty())
-        return form;
-    std::vector<std::optional<Share>> formed(shares.size());
-    on_threads(shares.size(), shares.size(), [&](std::size_t i) { formed[i] = Former(run, lead).formed(shares[i]); });
-    auto const is_there = [](std::optional<Share> const& share) { return share.has_value(); };
-    if (!std::all_of(formed.begin(), formed.end(), is_there))
-        return {};
-    std::transform(formed.begin(), formed.end(), shares.begin(),
-                   [](std::optional<Share>& share) { return std::move(*share); });
-    return form;
-}
-
 /// Puts the phrases of a share into the book of all, and their numbers there into its samples.
 void renumber(Share& share, PhraseBook& book) {
     std::vector<PhraseBook::Number> const numbers = book.numbers_of(share.book);
@@ -119,16 +55,14 @@ void renumber(Share& share, PhraseBook& book) {
 }  // namespace
 
 ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, Uses uses, std::size_t jobs)
-    : run_(&run), lead_(lead) {
+    : run_(&run), lead_(lead), jobs_(jobs), forms_(uses == Uses::many ? std::make_unique<KnownForms>() : nullptr) {
     std::size_t const samples = run.unfinished.empty() ? run.tape.samples() : run.unfinished.begin()->first;
-    if (jobs == 0)
-        jobs = std::min(jobs_or_host_cores(0), samples / samples_worth_a_thread + 1);
-    std::vector<Share> shares(jobs);
-    on_threads(jobs, jobs, [&](std::size_t i) {
-        shares[i] = read_share(run, lead, i * samples / jobs, (i + 1) * samples / jobs, most_bytes_of_run / jobs);
+    if (jobs_ == 0)
+        jobs_ = std::min(jobs_or_host_cores(0), samples / samples_worth_a_thread + 1);
+    std::vector<Share> shares(jobs_);
+    on_threads(jobs_, jobs_, [&](std::size_t i) {
+        shares[i] = read_share(run, lead, i * samples / jobs_, (i + 1) * samples / jobs_, most_bytes_of_run / jobs_);
     });
-    if (uses == Uses::many)
-        form_ = put_in_form(run, lead, shares);
     book_ = std::move(shares.front().book);
     for (Share& share : shares) {
         if (&share != &shares.front())
@@ -138,6 +72,14 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, Uses 
             break;  // the tape has all that follow
     }
     timing::PhraseCutter(*run.blueprint, lead).cut_from(book_, 0);
+}
+
+std::shared_ptr<ScriptSource const> ScriptedRun::samples_for(timing::PhraseCore& core, Machine const& machine) const {
+    timing::PhraseCore::Form const form = forms_ ? core.form() : as_told_;
+    if (!form.empty())
+        if (std::shared_ptr<FormedSamples const> formed = forms_->find(*this, form, machine))
+            return formed;
+    return {std::shared_ptr<void>(), this};
 }
 
 }  // namespace dataflow::replay

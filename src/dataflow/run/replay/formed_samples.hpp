@@ -1,0 +1,55 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/replay/script_source.hpp"
+
+namespace dataflow::replay {
+
+class ScriptedRun;
+
+/// Samples of a run in a form of which cores go through them more quickly; see PhraseCore::form().
+class FormedSamples : public ScriptSource {
+  public:
+    /// In that of cores of a machine. Null if one of the samples cannot be told so: who follows a script is told the
+    /// others in its form, too.
+    static std::shared_ptr<FormedSamples const> of(ScriptedRun const& run, Machine const& machine);
+
+    timing::PhraseBook const& book() const override { return book_; }
+    std::size_t size() const override { return samples_.size(); }
+    ScriptedSample const& operator[](std::size_t sample) const override { return samples_[sample]; }
+    timing::PhraseCore::Form const& form() const override { return form_; }
+
+  private:
+    explicit FormedSamples(timing::PhraseCore::Form form) : form_(std::move(form)) {}
+
+    timing::PhraseCore::Form form_;
+    timing::PhraseBook book_;
+    std::vector<ScriptedSample> samples_;
+};
+
+/// The forms that were asked for last.
+class KnownForms {
+  public:
+    /// Waits where another thread is putting the samples into this form.
+    std::shared_ptr<FormedSamples const> find(ScriptedRun const& run, timing::PhraseCore::Form const& form,
+                                              Machine const& machine);
+
+  private:
+    static constexpr std::size_t most = 6;
+    struct Entry {
+        timing::PhraseCore::Form form;
+        std::once_flag formed;
+        std::shared_ptr<FormedSamples const> samples;
+    };
+    std::shared_ptr<Entry> entry_of(timing::PhraseCore::Form const& form);
+
+    std::mutex mutex_;
+    std::vector<std::shared_ptr<Entry>> entries_;  ///< the last that was asked for at the end
+};
+
+}  // namespace dataflow::replay

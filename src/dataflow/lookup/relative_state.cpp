@@ -45,6 +45,8 @@ bool RelativeState::save(StatePage& page, std::uint32_t with_logs) const {
     PipelinePosition const& pipeline = view(0).state().pipeline;
     if (driver.in_loop() && !view(0).plan().aligned && (pipeline.open || pipeline.gap_left > 0))
         return false;
+    if (driver_leaves_group())
+        return false;
     page.start(static_cast<std::int64_t>(driver.local_time()), most_words());
     for (unsigned m = 0; m < group_->members().size(); ++m) {
         ProcessFlags flags;
@@ -60,6 +62,15 @@ bool RelativeState::save(StatePage& page, std::uint32_t with_logs) const {
                   outlooks_[inner.writer].frozen ? std::numeric_limits<std::int64_t>::max() : writes_from, page);
     }
     return page.reach() <= furthest_apart;
+}
+
+/// What its last iterations have yet to access, another process shares.
+bool RelativeState::driver_leaves_group() const {
+    ProcessTiming::View const driver = view(0);
+    bool leaves = false;
+    for (std::uint64_t lag = 1; driver.rules().has_delay_line() && lag <= driver.plan().longest_lag; ++lag)
+        leaves = leaves || (driver.state().delayed(lag) & ~group_->members().front().inner_ports) != 0;
+    return leaves;
 }
 
 std::size_t RelativeState::most_words() const {

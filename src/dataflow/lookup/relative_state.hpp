@@ -25,8 +25,8 @@ class RelativeState {
 
     std::vector<Outlook>& outlooks() { return outlooks_; }
 
-    /// False if the driver is in the middle of an iteration, or times are too far apart. With what the logs of the
-    /// followers of a mask hold.
+    /// With what the logs of the followers of a mask hold. False if the driver is in the middle of an iteration, or
+    /// goes on with an access outside the group, or times are too far apart.
     bool save(StatePage& page, std::uint32_t with_logs) const;
     void clear_logs(std::uint32_t members);
     /// Puts what the processes have yet to do in front of their logs.
@@ -59,6 +59,7 @@ class RelativeState {
     void make_legal(unsigned member, unsigned port, Cycles from);
     void charge(unsigned member, unsigned port, Cycles cycles);
     static FigureTotals::const_iterator enter(ProcessTiming& process, FigureTotals::const_iterator figures);
+    bool driver_leaves_group() const;
     std::size_t most_words() const;
 
     Group const* group_;

@@ -193,7 +193,7 @@ bool TransitionBench::work_out(Task const& task, Transition& transition) {
     tell(task, transition);
     settle();
     std::int64_t const begin = base_;
-    if (!members_.front().process.finished() || !describe(transition)) {
+    if (!members_.front().process.finished() || froze_too_early(transition) || !describe(transition)) {
         take_trail(0);  // it came to nothing
         for (FigureBlock& block : figures_)
             block = FigureBlock::none(block.number);
@@ -204,6 +204,14 @@ bool TransitionBench::work_out(Task const& task, Transition& transition) {
     transition.trail = take_trail(begin);
     save();
     return true;
+}
+
+/// Who is out of the game has to have done all before: where it finds room for that, its state does not tell any more.
+bool TransitionBench::froze_too_early(Transition const& transition) const {
+    bool too_early = false;
+    for_each_bit(transition.notes.froze,
+                 [&](unsigned m) { too_early = too_early || !members_[m].process.finished(); });
+    return too_early;
 }
 
 /// What it takes, and of loops. False if times are no longer sure to fit into words.

@@ -58,6 +58,7 @@ class TransitionBench {
     void connect(Group const& group);
     void start();
     void settle();
+    bool froze_too_early(Transition const& transition) const;
     bool describe(Transition& transition);
     void tell(Task const& task, Transition& transition);
     unsigned blocked_port(unsigned member) const;

@@ -113,6 +113,7 @@ int sc_main(int argc, char** argv) {
     replay::ScriptedRun const scripted(file.run, testing::raster_machine(recorded).lead);
     fmt::print("made ready in {:.1f} ms, {} phrases and pieces of them that differ\n",
                1e3 * (processor_seconds() - start), scripted.book().size());
+    fmt::print("as recorded, the first time: {:.2f} ms\n", measure(scripted, recorded).milliseconds);
     fmt::print("as recorded, made ready: {:.2f} ms\n", measure(scripted, recorded).milliseconds);
     fmt::print("made ready, {} random configurations, seeds from {}, processor time\n", count, seed);
     for (auto const& [name, spread] :

@@ -200,7 +200,7 @@ TEST_CASE("What is no event file is refused with one line") {
     check("accelerator: {}\n", "is no event file");
     check("", "is no event file");
     check(bytes.substr(0, bytes.size() / 2), "is cut off");
-    check(bytes.substr(0, 8) + '\1' + bytes.substr(9), "of version 1, expected version 4");
+    check(bytes.substr(0, 8) + '\1' + bytes.substr(9), "of version 1, expected version 5");
     std::string damaged = bytes;
     damaged[bytes.size() / 2] = static_cast<char>(damaged[bytes.size() / 2] ^ 4);
     check(damaged, "damaged");

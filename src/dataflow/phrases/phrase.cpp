@@ -11,11 +11,6 @@ constexpr unsigned most_driver_operations = 16;
 constexpr std::uint32_t longest_part = 8 * Operation::longest_mix;
 static_assert(Phrase::most_iterations <= Group::lane_mask / (2 * most_driver_operations), "for sums of accesses");
 
-/// Ends with iterations that access nothing: no mix.
-bool ends_silent(Operation const& operation) {
-    return (operation.own_tail_ports() != 0 ? operation.tail_gap() : operation.gap()) != 0;
-}
-
 /// Iterations with or without a silent one behind each, which a mix can say.
 bool can_mix(Operation const& operation) {
     return operation.kind() == Kind::mixed || (operation.kind() == Kind::iterate && operation.ports() != 0 &&
@@ -85,8 +80,8 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
     return reading;
 }
 
-/// Silent iterations, then accesses of the loop up to the next silence; or what is between two loops, up to the first
-/// step that more than one follower answers.
+/// Silent iterations, then one operation of the loop that accesses something, so that few phrases say it all; or what is
+/// between two loops, up to the first step that more than one follower answers.
 [[gnu::always_inline]] inline Phrase::Reading Phrase::read_driver(Group const& group) {
     OperationLog& log = group.members().front().process->log();
     std::size_t const most = std::min<std::size_t>(log.pending(), most_driver_operations);
@@ -95,7 +90,6 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
         Operation::at_ports(static_cast<Ports::Number>(~group.members().front().inner_ports & (Ports::numbers - 1U)));
     std::size_t i = 0;
     bool foreign = false;
-    bool iterated = false;  // with accesses
     bool ended = false;
     Group::Lanes due = 0;
     for (; i < most && !ended; ++i) {
@@ -103,15 +97,14 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
         Kind const kind = operation.kind();
         foreign = kind == Kind::stamp || kind == Kind::mixed || (operation.code() & outer) != 0;
         bool const iterates = (kind == Kind::iterate || kind == Kind::flanked) && operation.ports() != 0;
-        if (foreign || (iterated && !iterates))
+        if (foreign)
             break;
         codes_[size_++] = operation.code();
         if (iterates && operation.count() > most_iterations)
             return Reading::foreign;
         Group::Lanes const at = accesses_of(operation, group);
         due += at;
-        iterated = iterated || iterates;
-        ended = iterates ? ends_silent(operation) : (at & (at - 1)) != 0;
+        ended = iterates || (at & (at - 1)) != 0;
     }
     if (i == 0)
         return foreign ? Reading::foreign : Reading::logs_end;

@@ -12,7 +12,7 @@ namespace dataflow::events {
 /// little-endian.
 constexpr std::string_view opening_mark = "FASTEREV";
 constexpr std::string_view closing_mark = "FASTERND";
-constexpr std::uint32_t format_version = 4;
+constexpr std::uint32_t format_version = 5;
 constexpr std::size_t opening_bytes = 16;  ///< mark, version (32 bits), bytes of the header frame (32 bits)
 constexpr std::size_t closing_bytes = 24;  ///< offset and bytes of the index frame (64 bits each), mark
 

@@ -60,7 +60,7 @@ TEST_CASE("a pace is of the design's modules, each by a FIFO to the driver", "[m
     CHECK(complaint_about_pace({"second", {{"first", "g"}}}) ==
           "module first follows by the FIFO g in the pace, expected a FIFO between it and second");
     CHECK(complaint_about_pace({"second", {{"first", "f"}, {"first", "f"}}}) ==
-          "in the pace two members have the name first, expected another name for one of them");
+          "the pace names first twice, expected each module once");
 }
 
 TEST_CASE("one follower is ahead of the driver, and is told nothing by the group", "[machine]") {

@@ -130,11 +130,12 @@ class DesignCheck {
     void check_pace() const {
         if (core_.pace.driver.empty())
             return;
-        NamedOnce members("in the pace", "members");
         ModuleDescription const& driver = paced(core_.pace.driver);
-        members.add(driver.name);
+        Names members{driver.name};
         for (CoreDescription::Pace::Follower const& follower : core_.pace.followers) {
-            members.add(follower.module);
+            if (has(members, follower.module))
+                throw InputError("the pace names " + follower.module + " twice, expected each module once");
+            members.push_back(follower.module);
             if (!joins(follower.anchor, driver, paced(follower.module)))
                 throw InputError("module " + follower.module + " follows by the FIFO " + follower.anchor +
                                  " in the pace, expected a FIFO between it and " + driver.name);

@@ -28,8 +28,6 @@ class Former {
         core_->let_follow(run.lead(), timing::make_answers());
     }
 
-    timing::PhraseCore::Form form() { return core_->form(); }
-
     /// With phrases of `book`. False: it cannot be told so.
     bool form(std::size_t sample, PhraseBook& book, ScriptedSample& formed) {
         SampleOperations operations = joined(run_[sample], run_.book(), lead_.group);
@@ -58,8 +56,9 @@ class Former {
 
 }  // namespace
 
-std::shared_ptr<FormedSamples const> FormedSamples::of(ScriptedRun const& run, Machine const& machine) {
-    std::shared_ptr<FormedSamples> const all(new FormedSamples(Former(run, machine).form()));
+std::shared_ptr<FormedSamples const> FormedSamples::of(ScriptedRun const& run, timing::PhraseCore::Form const& form,
+                                                       Machine const& machine) {
+    std::shared_ptr<FormedSamples> const all(new FormedSamples(form));
     std::size_t const jobs = run.jobs();
     all->samples_.resize(run.size());
     std::vector<PhraseBook> books(jobs);
@@ -84,7 +83,7 @@ std::shared_ptr<FormedSamples const> FormedSamples::of(ScriptedRun const& run, M
 std::shared_ptr<FormedSamples const> KnownForms::find(ScriptedRun const& run, timing::PhraseCore::Form const& form,
                                                       Machine const& machine) {
     std::shared_ptr<Entry> const entry = entry_of(form);
-    std::call_once(entry->formed, [&] { entry->samples = FormedSamples::of(run, machine); });
+    std::call_once(entry->formed, [&] { entry->samples = FormedSamples::of(run, form, machine); });
     return entry->samples;
 }
 

@@ -15,9 +15,10 @@ class ScriptedRun;
 /// Samples of a run in a form of which cores go through them more quickly; see PhraseCore::form().
 class FormedSamples : public ScriptSource {
   public:
-    /// In that of cores of a machine. Null if one of the samples cannot be told so: who follows a script is told the
-    /// others in its form, too.
-    static std::shared_ptr<FormedSamples const> of(ScriptedRun const& run, Machine const& machine);
+    /// In `form`, that of cores of a machine. Null if one of the samples cannot be told so: who follows a script is
+    /// told the others in its form, too.
+    static std::shared_ptr<FormedSamples const> of(ScriptedRun const& run, timing::PhraseCore::Form const& form,
+                                                   Machine const& machine);
 
     timing::PhraseBook const& book() const override { return book_; }
     std::size_t size() const override { return samples_.size(); }

@@ -66,6 +66,13 @@ void module_table(std::string& text, RunStatistics const& run) {
     }
 }
 
+std::string mean_trip_count(std::uint64_t iterations, std::uint64_t entries) {
+    if (entries == 0)
+        return "-";
+    std::uint64_t const tenths = (10 * iterations + entries / 2) / entries;
+    return fmt::format("{}.{}", grouped(tenths / 10), tenths % 10);
+}
+
 void loop_table(std::string& text, RunStatistics const& run) {
     line(text, "\nLoops: initiation interval (II) and pipeline depth [cycles]; trip count is the mean per entry");
     line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>12} {:>14} {:>11} {:>21}", "loop", "II target", "II achieved",
@@ -73,9 +80,7 @@ void loop_table(std::string& text, RunStatistics const& run) {
     for (LoopRow const& l : over_cores(loop_columns, loop_rows(run)))
         line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>12} {:>14} {:>11} {:>21}", l.name(), l.ii_target, l.ii,
              l.limited_by.empty() ? "-" : l.limited_by, l.depth, grouped(l.entries), grouped(l.iterations),
-             l.entries == 0 ? "-"
-                            : fmt::format("{:.1f}", static_cast<double>(l.iterations) / static_cast<double>(l.entries)),
-             grouped(l.port_conflict_cycles));
+             mean_trip_count(l.iterations, l.entries), grouped(l.port_conflict_cycles));
 }
 
 void fifo_table(std::string& text, RunStatistics const& run) {

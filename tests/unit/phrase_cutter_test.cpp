@@ -106,7 +106,8 @@ TEST_CASE("The pieces of a phrase say what the phrase says", "[phrases]") {
         PhraseCutter cutter(*scan.core, lead());
         PhraseBook book;
         std::set<PhraseBook::Number> phrases, pieces;
-        for (Phrase phrase; phrase.read(scan.group, 0) == Phrase::Reading::complete; phrase.consume()) {
+        for (Phrase phrase; phrase.read(scan.group, 0, Phrase::End::at_silence) == Phrase::Reading::complete;
+             phrase.consume()) {
             PhraseBook::Number const number = book.number_of(phrase, scan.group);
             if (!phrases.insert(number).second)
                 continue;
@@ -121,6 +122,41 @@ TEST_CASE("The pieces of a phrase say what the phrase says", "[phrases]") {
         CHECK(pieces.size() < phrases.size());  // that is what they are good for
     }
     CHECK(cut > 1000);
+}
+
+/// All that is in the logs, in phrases of a book.
+std::vector<PhraseBook::Number> read_all(Scan const& scan, Phrase::End end, PhraseBook& book) {
+    std::vector<PhraseBook::Number> numbers;
+    for (Phrase phrase; phrase.read(scan.group, 0, end) == Phrase::Reading::complete; phrase.consume())
+        numbers.push_back(book.number_of(phrase, scan.group));
+    return numbers;
+}
+
+TEST_CASE(
+    "Short phrases say what long ones say, and end with the first operation of the driver that iterates with accesses",
+    "[phrases]") {
+    std::size_t more = 0;
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        CAPTURE(seed);
+        PhraseBook long_ones, short_ones;
+        auto const of_run = read_all(Scan(seed), Phrase::End::at_silence, long_ones);
+        auto const of_recording = read_all(Scan(seed), Phrase::End::behind_operation, short_ones);
+        CHECK(said_by(short_ones, of_recording) == said_by(long_ones, of_run));
+        CHECK(of_recording.size() >= of_run.size());
+        more += of_recording.size() - of_run.size();
+        for (PhraseBook::Number number = 0; number < short_ones.size(); ++number) {
+            bool iterated = false, goes_on = false;
+            Phrase::each(
+                short_ones.codes(number), short_ones[number].size,
+                [&](unsigned member, Operation const& operation) {
+                    goes_on = goes_on || (member == 0 && iterated);
+                    iterated = iterated || (member == 0 && operation.iterations() > 0 && operation.ports() != 0);
+                },
+                [](unsigned, Ports::Number, bool) {});
+            CHECK_FALSE(goes_on);
+        }
+    }
+    CHECK(more > 20);
 }
 
 TEST_CASE("Phrases are cut as long as their pieces are known", "[phrases]") {
@@ -194,7 +230,7 @@ TEST_CASE("A phrase of very many pieces is left whole", "[phrases]") {
         PhraseCutter cutter(*core, lead());
         PhraseBook book;
         Phrase phrase;
-        REQUIRE(phrase.read(group, 0) == Phrase::Reading::complete);
+        REQUIRE(phrase.read(group, 0, Phrase::End::at_silence) == Phrase::Reading::complete);
         PhraseBook::Number const number = book.number_of(phrase, group);
         cutter.cut(book, number);
         CHECK((book[number].pieces > 0) == (inside < PhraseCutter::most_pieces));
@@ -208,7 +244,8 @@ TEST_CASE("All that is known of a phrase follows from its codes", "[phrases]") {
         Scan const scan(seed);
         auto const bench = scanner();
         Group const bench_group(*bench, lead());
-        for (Phrase phrase; phrase.read(scan.group, 0) == Phrase::Reading::complete; phrase.consume(), ++phrases) {
+        for (Phrase phrase; phrase.read(scan.group, 0, Phrase::End::behind_operation) == Phrase::Reading::complete;
+             phrase.consume(), ++phrases) {
             Phrase recalled;
             recalled.recall(phrase.codes(), phrase.size(), scan.group);
             CHECK(recalled.due() == phrase.due());

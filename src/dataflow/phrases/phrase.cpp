@@ -11,6 +11,11 @@ constexpr unsigned most_driver_operations = 16;
 constexpr std::uint32_t longest_part = 8 * Operation::longest_mix;
 static_assert(Phrase::most_iterations <= Group::lane_mask / (2 * most_driver_operations), "for sums of accesses");
 
+/// Ends with iterations that access nothing: no mix.
+bool ends_silent(Operation const& operation) {
+    return (operation.own_tail_ports() != 0 ? operation.tail_gap() : operation.gap()) != 0;
+}
+
 /// Iterations with or without a silent one behind each, which a mix can say.
 bool can_mix(Operation const& operation) {
     return operation.kind() == Kind::mixed || (operation.kind() == Kind::iterate && operation.ports() != 0 &&
@@ -35,9 +40,9 @@ std::uint64_t gaps_of(Operation const& operation) {
 }
 }  // namespace
 
-Phrase::Reading Phrase::read(Group const& group, std::uint32_t frozen) {
+Phrase::Reading Phrase::read(Group const& group, std::uint32_t frozen, End end) {
     start();
-    Reading const reading = read_driver(group);
+    Reading const reading = read_driver(group, end);
     return reading == Reading::complete ? read_answers(group, frozen) : reading;
 }
 
@@ -80,9 +85,9 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
     return reading;
 }
 
-/// Silent iterations, then one operation of the loop that accesses something, so that few phrases say it all; or what is
-/// between two loops, up to the first step that more than one follower answers.
-[[gnu::always_inline]] inline Phrase::Reading Phrase::read_driver(Group const& group) {
+/// Silent iterations, then accesses of the loop up to the end; or what is between two loops, up to the first step that
+/// more than one follower answers.
+[[gnu::always_inline]] inline Phrase::Reading Phrase::read_driver(Group const& group, End end) {
     OperationLog& log = group.members().front().process->log();
     std::size_t const most = std::min<std::size_t>(log.pending(), most_driver_operations);
     Operation const* const operations = log.begin();
@@ -90,6 +95,7 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
         Operation::at_ports(static_cast<Ports::Number>(~group.members().front().inner_ports & (Ports::numbers - 1U)));
     std::size_t i = 0;
     bool foreign = false;
+    bool iterated = false;  // with accesses
     bool ended = false;
     Group::Lanes due = 0;
     for (; i < most && !ended; ++i) {
@@ -97,14 +103,15 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
         Kind const kind = operation.kind();
         foreign = kind == Kind::stamp || kind == Kind::mixed || (operation.code() & outer) != 0;
         bool const iterates = (kind == Kind::iterate || kind == Kind::flanked) && operation.ports() != 0;
-        if (foreign)
+        if (foreign || (iterated && !iterates))
             break;
         codes_[size_++] = operation.code();
         if (iterates && operation.count() > most_iterations)
             return Reading::foreign;
         Group::Lanes const at = accesses_of(operation, group);
         due += at;
-        ended = iterates || (at & (at - 1)) != 0;
+        iterated = iterated || iterates;
+        ended = iterates ? end == End::behind_operation || ends_silent(operation) : (at & (at - 1)) != 0;
     }
     if (i == 0)
         return foreign ? Reading::foreign : Reading::logs_end;
@@ -294,7 +301,7 @@ bool Phrase::is_readable(Code const* codes, std::size_t size, Group const& group
             group.members()[m].process->log().append(Operation(Kind::iterate, next_ports[m], 0, 1));
     Phrase phrase;
     phrase.set_log_ends(next_ports.data());
-    bool const read = phrase.read(group, group.suppliers()) == Reading::complete;
+    bool const read = phrase.read(group, group.suppliers(), End::behind_operation) == Reading::complete;
     for (Group::Member const& member : group.members())
         member.process->log().clear();
     return read && phrase.size() == size && std::equal(codes, codes + size, phrase.codes());

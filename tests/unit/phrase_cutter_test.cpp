@@ -106,7 +106,7 @@ TEST_CASE("The pieces of a phrase say what the phrase says", "[phrases]") {
         PhraseCutter cutter(*scan.core, lead());
         PhraseBook book;
         std::set<PhraseBook::Number> phrases, pieces;
-        for (Phrase phrase; phrase.read(scan.group, 0, Phrase::End::at_silence) == Phrase::Reading::complete;
+        for (Phrase phrase; phrase.read(scan.group, 0, Phrase::most_in_run) == Phrase::Reading::complete;
              phrase.consume()) {
             PhraseBook::Number const number = book.number_of(phrase, scan.group);
             if (!phrases.insert(number).second)
@@ -125,9 +125,9 @@ TEST_CASE("The pieces of a phrase say what the phrase says", "[phrases]") {
 }
 
 /// All that is in the logs, in phrases of a book.
-std::vector<PhraseBook::Number> read_all(Scan const& scan, Phrase::End end, PhraseBook& book) {
+std::vector<PhraseBook::Number> read_all(Scan const& scan, unsigned most_that_iterate, PhraseBook& book) {
     std::vector<PhraseBook::Number> numbers;
-    for (Phrase phrase; phrase.read(scan.group, 0, end) == Phrase::Reading::complete; phrase.consume())
+    for (Phrase phrase; phrase.read(scan.group, 0, most_that_iterate) == Phrase::Reading::complete; phrase.consume())
         numbers.push_back(book.number_of(phrase, scan.group));
     return numbers;
 }
@@ -139,8 +139,8 @@ TEST_CASE(
     for (unsigned seed = 1; seed <= 60; ++seed) {
         CAPTURE(seed);
         PhraseBook long_ones, short_ones;
-        auto const of_run = read_all(Scan(seed), Phrase::End::at_silence, long_ones);
-        auto const of_recording = read_all(Scan(seed), Phrase::End::behind_operation, short_ones);
+        auto const of_run = read_all(Scan(seed), Phrase::most_in_run, long_ones);
+        auto const of_recording = read_all(Scan(seed), Phrase::most_in_recording, short_ones);
         CHECK(said_by(short_ones, of_recording) == said_by(long_ones, of_run));
         CHECK(of_recording.size() >= of_run.size());
         more += of_recording.size() - of_run.size();
@@ -230,7 +230,7 @@ TEST_CASE("A phrase of very many pieces is left whole", "[phrases]") {
         PhraseCutter cutter(*core, lead());
         PhraseBook book;
         Phrase phrase;
-        REQUIRE(phrase.read(group, 0, Phrase::End::at_silence) == Phrase::Reading::complete);
+        REQUIRE(phrase.read(group, 0, Phrase::most_in_run) == Phrase::Reading::complete);
         PhraseBook::Number const number = book.number_of(phrase, group);
         cutter.cut(book, number);
         CHECK((book[number].pieces > 0) == (inside < PhraseCutter::most_pieces));
@@ -244,7 +244,7 @@ TEST_CASE("All that is known of a phrase follows from its codes", "[phrases]") {
         Scan const scan(seed);
         auto const bench = scanner();
         Group const bench_group(*bench, lead());
-        for (Phrase phrase; phrase.read(scan.group, 0, Phrase::End::behind_operation) == Phrase::Reading::complete;
+        for (Phrase phrase; phrase.read(scan.group, 0, Phrase::most_in_recording) == Phrase::Reading::complete;
              phrase.consume(), ++phrases) {
             Phrase recalled;
             recalled.recall(phrase.codes(), phrase.size(), scan.group);

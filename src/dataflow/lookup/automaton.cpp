@@ -106,7 +106,7 @@ std::uint32_t Automaton::going_on_elsewhere(Group const& group) {
 /// The next phrase. Of a supplier that takes from memory it says nothing: what that has to do is
 /// supplies_of_phrase(), and must be less than it is sure to find.
 Phrase::Reading Automaton::read(Group const& group, std::uint32_t frozen) {
-    Phrase::Reading const reading = phrase_.read(group, frozen | group.fed(), Phrase::End::at_silence);
+    Phrase::Reading const reading = phrase_.read(group, frozen | group.fed(), Phrase::most_in_run);
     std::uint64_t const supplies = supplies_of_phrase(group, frozen);
     if (reading != Phrase::Reading::complete || supplies == 0 || session_->fed + supplies < session_->fed_before)
         return reading;

@@ -40,9 +40,9 @@ std::uint64_t gaps_of(Operation const& operation) {
 }
 }  // namespace
 
-Phrase::Reading Phrase::read(Group const& group, std::uint32_t frozen, End end) {
+Phrase::Reading Phrase::read(Group const& group, std::uint32_t frozen, unsigned most_that_iterate) {
     start();
-    Reading const reading = read_driver(group, end);
+    Reading const reading = read_driver(group, most_that_iterate);
     return reading == Reading::complete ? read_answers(group, frozen) : reading;
 }
 
@@ -85,9 +85,9 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
     return reading;
 }
 
-/// Silent iterations, then accesses of the loop up to the end; or what is between two loops, up to the first step that
-/// more than one follower answers.
-[[gnu::always_inline]] inline Phrase::Reading Phrase::read_driver(Group const& group, End end) {
+/// Silent iterations, then accesses of the loop up to the next silence at most; or what is between two loops, up to the
+/// first step that more than one follower answers.
+[[gnu::always_inline]] inline Phrase::Reading Phrase::read_driver(Group const& group, unsigned most_that_iterate) {
     OperationLog& log = group.members().front().process->log();
     std::size_t const most = std::min<std::size_t>(log.pending(), most_driver_operations);
     Operation const* const operations = log.begin();
@@ -95,7 +95,7 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
         Operation::at_ports(static_cast<Ports::Number>(~group.members().front().inner_ports & (Ports::numbers - 1U)));
     std::size_t i = 0;
     bool foreign = false;
-    bool iterated = false;  // with accesses
+    unsigned iterated = 0;  // operations, with accesses
     bool ended = false;
     Group::Lanes due = 0;
     for (; i < most && !ended; ++i) {
@@ -103,15 +103,15 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
         Kind const kind = operation.kind();
         foreign = kind == Kind::stamp || kind == Kind::mixed || (operation.code() & outer) != 0;
         bool const iterates = (kind == Kind::iterate || kind == Kind::flanked) && operation.ports() != 0;
-        if (foreign || (iterated && !iterates))
+        if (foreign || (iterated > 0 && !iterates))
             break;
         codes_[size_++] = operation.code();
         if (iterates && operation.count() > most_iterations)
             return Reading::foreign;
         Group::Lanes const at = accesses_of(operation, group);
         due += at;
-        iterated = iterated || iterates;
-        ended = iterates ? end == End::behind_operation || ends_silent(operation) : (at & (at - 1)) != 0;
+        iterated += iterates ? 1U : 0U;
+        ended = iterates ? iterated == most_that_iterate || ends_silent(operation) : (at & (at - 1)) != 0;
     }
     if (i == 0)
         return foreign ? Reading::foreign : Reading::logs_end;
@@ -301,7 +301,7 @@ bool Phrase::is_readable(Code const* codes, std::size_t size, Group const& group
             group.members()[m].process->log().append(Operation(Kind::iterate, next_ports[m], 0, 1));
     Phrase phrase;
     phrase.set_log_ends(next_ports.data());
-    bool const read = phrase.read(group, group.suppliers(), End::behind_operation) == Reading::complete;
+    bool const read = phrase.read(group, group.suppliers(), most_in_recording) == Reading::complete;
     for (Group::Member const& member : group.members())
         member.process->log().clear();
     return read && phrase.size() == size && std::equal(codes, codes + size, phrase.codes());

@@ -20,13 +20,13 @@ class Phrase {
 
     enum class Reading { complete, logs_end, foreign };
 
-    /// Where a phrase ends whose driver iterates with accesses. Long ones are fewer: a run, which reads each once,
-    /// takes a tenth less. Short ones are more alike, so that a recording has few that differ.
-    enum class End { at_silence, behind_operation };
+    /// Operations of the driver in a phrase that iterate with accesses, at most. Long phrases are fewer: a run, which
+    /// reads each once, takes a tenth less. Short ones are more alike: a recording has few that differ.
+    static constexpr unsigned most_in_run = 3, most_in_recording = 1;
 
     /// Reads the next phrase from the logs. logs_end: some process has not said yet what it does; foreign: the driver
     /// or a follower goes on with something outside the group. `frozen`: bit per member that is out of the game.
-    Reading read(Group const& group, std::uint32_t frozen, End end);
+    Reading read(Group const& group, std::uint32_t frozen, unsigned most_that_iterate);
     /// Reads the next piece of a phrase that is all there: a single operation of the driver, and of iterations that
     /// access something a single one, with the answers to it.
     Reading read_piece(Group const& group);
@@ -56,7 +56,7 @@ class Phrase {
         return static_cast<std::uint32_t>(due_ >> (Group::lane_bits * (group.supplier() - 1)) & Group::lane_mask);
     }
 
-    /// Whether read() could have written codes, behind_operation, wherever they are from, with the supplier left out.
+    /// Whether read() could have written codes of a recording, wherever they are from, with the supplier left out.
     /// On the logs of a group that is only a workbench.
     static bool is_readable(Code const* codes, std::size_t size, Group const& group);
 
@@ -113,7 +113,7 @@ class Phrase {
         return true;
     }
     void start();
-    Reading read_driver(Group const& group, End end);
+    Reading read_driver(Group const& group, unsigned most_that_iterate);
     void take_driver(OperationLog& log, std::size_t operations, Group::Lanes due);
     Reading read_answers(Group const& group, std::uint32_t frozen);
     static Next next_in(Operation const& operation, std::uint32_t taken) {

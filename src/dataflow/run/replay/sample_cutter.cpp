@@ -43,7 +43,7 @@ ScriptedSample SampleCutter::cut(SampleOperations operations) {
     open_driver(cut);
     book_.clear();
     while (cut.phrases.size() < ScriptedSample::most_phrases &&
-           phrase_.read(lead_.group, suppliers, Phrase::End::behind_operation) == Phrase::Reading::complete) {
+           phrase_.read(lead_.group, suppliers, Phrase::most_in_recording) == Phrase::Reading::complete) {
         cut.phrases.push_back(book_.number_of(phrase_, lead_.group, timing::PhraseBook::Compare::prints));
         cut.script.due += book_[cut.phrases.back()].due;
         phrase_.consume();

@@ -209,8 +209,7 @@ bool TransitionBench::work_out(Task const& task, Transition& transition) {
 /// Who is out of the game has to have done all before: where it finds room for that, its state does not tell any more.
 bool TransitionBench::froze_too_early(Transition const& transition) const {
     bool too_early = false;
-    for_each_bit(transition.notes.froze,
-                 [&](unsigned m) { too_early = too_early || !members_[m].process.finished(); });
+    for_each_bit(transition.notes.froze, [&](unsigned m) { too_early = too_early || !members_[m].process.finished(); });
     return too_early;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <iterator>
 
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/phrases/phrase_cutter.hpp"

@@ -89,6 +89,8 @@ Phrase::Reading Phrase::read_answers(Group const& group, std::uint32_t frozen) {
 /// first step that more than one follower answers.
 [[gnu::always_inline]] inline Phrase::Reading Phrase::read_driver(Group const& group, unsigned most_that_iterate) {
     OperationLog& log = group.members().front().process->log();
+    if (!log.exhausted() && log.whole_front().kind() == Kind::mixed)
+        log.front();  // a run of equal iterations is split off
     std::size_t const most = std::min<std::size_t>(log.pending(), most_driver_operations);
     Operation const* const operations = log.begin();
     Operation::Code const outer =

@@ -12,7 +12,7 @@ namespace dataflow::replay {
 
 class ScriptedRun;
 
-/// Samples of a run in a form of which cores go through them more quickly; see PhraseCore::form().
+/// Samples of a run in a form in which cores go through them more quickly; see PhraseCore::form().
 class FormedSamples : public ScriptSource {
   public:
     /// In `form`, that of cores of a machine. Null if one of the samples cannot be told so: who follows a script is

@@ -18,16 +18,6 @@ timing::Ports::Number ports_inside(Operation const& operation, timing::Group::Me
     auto const ports = static_cast<timing::Ports::Number>(operation.ports() & ~member.fed_ports);
     return (ports & ~member.inner_ports) == 0 ? ports : timing::Ports::Number{0};
 }
-/// A driver's mix as runs of equal iterations, of which phrases tell.
-void append_runs(Operation const& mix, OperationLog& log) {
-    std::uint32_t gaps = mix.gaps();
-    for (unsigned left = mix.length(); left > 0;) {
-        unsigned const run = Operation::alike(gaps, left);
-        log.append(Operation(Operation::Kind::iterate, mix.ports(), gaps & 1U, run));
-        left -= run;
-        gaps = left > 0 ? gaps >> run : 0;
-    }
-}
 }  // namespace
 
 ScriptedSample SampleCutter::cut(SampleOperations operations) {
@@ -63,10 +53,7 @@ void SampleCutter::open(unsigned member, ScriptedSample& cut) {
         ++first;
     log(member).clear();
     for (auto operation = first; operation != before.end(); ++operation)
-        if (member == 0 && operation->kind() == Operation::Kind::mixed)
-            append_runs(*operation, log(member));
-        else
-            log(member).append(*operation);
+        log(member).append(*operation);
     if (member != 0 && first != before.end())
         cut.script.next_ports[member] = ports_inside(*first, lead_.group.members()[member]);
     before.erase(first, before.end());

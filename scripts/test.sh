@@ -53,14 +53,13 @@ cmake --build --preset "$preset"
 ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -LE '^(long|cluster)$'
 
 if [[ "${CI:-}" == true ]]; then
-    bash scripts/count-instructions.sh "$preset"
-    bash scripts/check-without-lookup.sh "$preset"
-    bash scripts/check-changes.sh "$preset"
-    # Mostly waits for the disk and for apt, so it goes on beside clang-tidy.
+    # Mostly waits for the disk and for apt, so others go on beside it; but not what builds in its folder.
     package_log="build/$preset/check-package.log"
     bash scripts/check-package.sh "$preset" >"$package_log" 2>&1 &
     package=$!
     trap 'wait "$package" 2>/dev/null || true' EXIT
+    bash scripts/count-instructions.sh "$preset"
+    bash scripts/check-changes.sh "$preset"
 fi
 
 if [[ "$tidy" == true ]]; then
@@ -79,4 +78,5 @@ if [[ "${CI:-}" == true ]]; then
         exit 1
     }
     cat "$package_log"
+    bash scripts/check-without-lookup.sh "$preset"
 fi

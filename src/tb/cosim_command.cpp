@@ -17,7 +17,7 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/workload_source.hpp"
 #include "modules/core/faster_simulation.hpp"
-#include "poses/commands/workload_iterations.hpp"
+#include "modules/core/workload_iterations.hpp"
 #include "tb/commands.hpp"
 #include "tb/cosim/comparison.hpp"
 

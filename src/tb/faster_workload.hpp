@@ -3,7 +3,7 @@
 #include "faster/data/stimulus.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
-#include "poses/commands/workload_iterations.hpp"
+#include "modules/core/workload_iterations.hpp"
 
 namespace faster {
 

@@ -4,7 +4,7 @@
 #include "dataflow/run/config/design.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
-#include "poses/commands/workload_iterations.hpp"
+#include "modules/core/workload_iterations.hpp"
 
 namespace faster {
 

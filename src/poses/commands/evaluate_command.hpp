@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "dataflow/commands/subcommand.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/judging/evaluation.hpp"
 
@@ -26,8 +25,5 @@ struct EvaluateRequest {
 
 /// Judges estimated poses, prints a table, and writes tables, plots and a page. Throws InputError on bad input.
 poses::Evaluation evaluate(EvaluateRequest const& request);
-
-/// `evaluate`.
-Subcommand evaluate_command();
 
 }  // namespace faster

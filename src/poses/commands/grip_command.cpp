@@ -32,7 +32,7 @@
 #include "faster/workload/workload_source.hpp"
 #include "poses/commands/estimate_size.hpp"
 #include "poses/commands/pose_commands.hpp"
-#include "poses/commands/workload_iterations.hpp"
+#include "modules/core/workload_iterations.hpp"
 #include "poses/grip/rank_correlation.hpp"
 #include "poses/grip/score_poses.hpp"
 #include "poses/judging/pose_error.hpp"

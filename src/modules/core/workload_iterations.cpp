@@ -1,4 +1,4 @@
-#include "poses/commands/workload_iterations.hpp"
+#include "modules/core/workload_iterations.hpp"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,8 @@ if [[ "${1:-}" == --update ]]; then
     update=true
     shift
 fi
-program="$PWD/build/${1:-ci}/bin/faster-sim"
+binaries="$PWD/build/${1:-ci}/bin"
+program="$binaries/faster-sim"
 kept=bench/instructions.csv
 most_percent=105
 if ! command -v valgrind >/dev/null; then
@@ -22,24 +23,25 @@ fi
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
-# count NAME WORD...: the instructions of the program, in a file of that name
+# count NAME PROGRAM WORD...: its instructions, in a file of that name
 count() {
-    valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null "$program" "${@:2}" 2>&1 >/dev/null |
+    valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null "$binaries/$2" "${@:3}" 2>&1 >/dev/null |
         awk '/I +refs/ { gsub(",", "", $NF); print $NF }' >"$work/$1"
 }
 run() {
-    echo run configs/banana.yaml -j 1 --set "accelerator.architecture=$1" --set "workload.samples.count=$2"
+    echo faster-sim run configs/banana.yaml -j 1 --set "accelerator.architecture=$1" --set "workload.samples.count=$2"
 }
 designs=(faster setup_overlap)
 jobs=()
 for design in "${designs[@]}"; do
     read -ra words <<<"$(run "$design" 12)"
-    "$program" "${words[@]}" --events "$work/$design.events" >/dev/null
+    "$program" "${words[@]:1}" --events "$work/$design.events" >/dev/null
     jobs+=("run_$design.1 $(run "$design" 1)" "run_$design.12 $(run "$design" 12)"
-        "whatif_$design whatif $work/$design.events --set accelerator.fifos.edge_token.depth=7")
+        "whatif_$design faster-sim whatif $work/$design.events --set accelerator.fifos.edge_token.depth=7")
 done
+jobs+=("pipeline pipeline run examples/pipeline/pipeline.yaml -j 1 --set workload.numbers=100000")
 export -f count
-export program work
+export binaries work
 printf '%s\n' "${jobs[@]}" | xargs -P "$(nproc)" -I {} bash -c 'count {}'
 
 found="$work/found"
@@ -48,6 +50,7 @@ for design in "${designs[@]}"; do
     echo "run $design,$(($(cat "$work/run_$design.12") - $(cat "$work/run_$design.1")))"
     echo "whatif $design,$(cat "$work/whatif_$design")"
 done >>"$found"
+echo "examples/pipeline,$(cat "$work/pipeline")" >>"$found"
 if [[ "$update" == true ]]; then
     cp "$found" "$kept"
 fi

@@ -27,10 +27,9 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
 
     void read(Token& token) override { token = read(); }
     Token read() override {
-        reader_->begins_read(*this);
-        peek();
+        if (tokens_.size() == 0 || !reader_->reads_soundly(read_port_))
+            await_and_access();
         Token const token = *tokens_.front();
-        reader_->access(read_port_);
         consume(1);
         return token;
     }
@@ -48,8 +47,13 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     sc_core::sc_event const& data_written_event() const override { refuse("data_written_event"); }
 
     void write(Token const& token) override {
-        put(token);
-        writer_->access(write_port_);
+        if (tokens_.size() > host_limit_ || !taps_.empty() || !writer_->accesses_soundly(write_port_)) {
+            put_and_access(token);
+            return;
+        }
+        *tokens_.room(1) = token;
+        tokens_.append(1);
+        wake_reader();
     }
     /// Writes a token if there is room for it in this cycle. As its name in sc_fifo_out_if.
     bool write_nb(Token const& token) {
@@ -128,6 +132,15 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     }
 
   private:
+    [[gnu::noinline]] void await_and_access() {
+        reader_->begins_read(*this, read_port_);
+        peek();
+        reader_->access(read_port_);
+    }
+    [[gnu::noinline]] void put_and_access(Token const& token) {
+        put(token);
+        writer_->access(write_port_);
+    }
     /// Shows the last `count` tokens to the taps.
     void show(std::size_t count) {
         for (recording::TokenTap* tap : taps_) {

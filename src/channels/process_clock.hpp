@@ -164,12 +164,18 @@ class ProcessClock {
     /// A loop in pieces, for who has no body that can be called. Iterations are numbered from 0 on.
     void open_loop(unsigned loop, SourceSite site = SourceSite::here());
     void open_iteration(std::uint64_t iteration) {
-        reach(iteration);
+        if (!is_plain_)
+            reach(iteration);
         begin_collecting();
+        open_ = sound_.accesses;
     }
     void close_iteration() {
         collecting_ = false;
-        end_body();
+        open_ = 0;
+        if (!is_plain_ || !log_->repeat(collected_.number()))
+            end_body();
+        else
+            collected_ = timing::no_ports;
     }
     void close_loop();
     /// In the body of an iteration, which reads a FIFO in a later stage (FifoEnd::taken): when the iteration has got to
@@ -249,15 +255,23 @@ class ProcessClock {
     /// The access of one port by plain sc_fifo_if calls: a step of its own, or part of the Step that is open.
     /// Errors: InputError for one that is accessed twice in a step or iteration, or that its loop does not name.
     void access(timing::Ports port) {
-        timing_.note_site(port.first(), site_);
-        if (collecting_) {
-            require_once(port);
-            collected_ = collected_ | port;
-            if (last_attempt_)
-                tell_behind_attempt(port);
-        } else {
-            step(port);
-        }
+        if (!accesses_soundly(port))
+            access_closely(port);
+    }
+    /// access(), where that needs no closer look: most of what happens. False: it does.
+    bool accesses_soundly(timing::Ports port) {
+        if ((open_ & port.number()) == 0)
+            return false;
+        open_ &= ~std::uint32_t{port.number()};
+        collected_ = timing::Ports(static_cast<timing::Ports::Number>(collected_.number() | port.number()));  // masks
+        return true;
+    }
+    /// begins_read() and access(), likewise.
+    bool reads_soundly(timing::Ports port) {
+        if ((sound_.first_reads & port.number()) == 0 || !accesses_soundly(port))
+            return false;
+        taken_ = timing::Ports(static_cast<timing::Ports::Number>(taken_.number() | port.number()));
+        return true;
     }
 
     bool lockstep() const { return time_base_.engine == Engine::lockstep; }
@@ -265,12 +279,12 @@ class ProcessClock {
     Cycles local_time() const { return timing_.local_time(); }
 
     /// The calling thread is about to read a token of the FIFO. Errors: see pipeline().
-    void begins_read(FifoChannel const& fifo) {
+    void begins_read(FifoChannel const& fifo, timing::Ports port) {
         if (!collecting_)
             return;
         if (is_pipelining_)
             require_first_stage(fifo);
-        taken_ = taken_ | read_port_of(fifo);
+        taken_ = taken_ | port;
     }
     /// Suspends the calling thread until the FIFO's other side may have done something; what for is told to deadlock
     /// reports.
@@ -311,6 +325,7 @@ class ProcessClock {
     void wake_behind_flushing();
     void let_out();
 
+    void access_closely(timing::Ports port);
     void require_no_late_access(timing::LoopShape const& loop) const;
     void require_memory(unsigned port) const;
     [[noreturn]] void refuse_both(std::string const& fifo) const;
@@ -321,7 +336,10 @@ class ProcessClock {
     static timing::Ports read_port_of(FifoChannel const& fifo);
     void require_first_stage(FifoChannel const& fifo) const;
     void require_once(timing::Ports port) const;
-    bool is_named_by_loop(unsigned port) const;
+    [[noreturn]] void refuse_second(unsigned port) const;
+    [[noreturn]] void refuse_unnamed(unsigned port) const;
+    static Cycles first_stage(timing::LoopShape const& loop);
+    bool is_named_by(timing::LoopShape const& loop, unsigned port) const;
     bool is_pipelined(unsigned loop) const;
     void reach(std::uint64_t iteration);
     void end_body();
@@ -363,7 +381,15 @@ class ProcessClock {
     SourceSite site_;
     bool collecting_ = false;
     timing::Ports collected_;
-    timing::Ports taken_;  ///< of them, read by plain ports
+
+    /// What an iteration of a loop may do without being looked at closely, as masks of ports. None is set where a port
+    /// has no mask, nor in a loop that makes attempts.
+    struct SoundAccesses {
+        std::uint32_t accesses = 0;     ///< if there is one of the port
+        std::uint32_t first_reads = 0;  ///< by plain ports
+    };
+    SoundAccesses sound_accesses_of(timing::LoopShape const& loop) const;
+    std::vector<SoundAccesses> sound_by_loop_;
 
     // The loop that pipeline() is in. Steps are counted from its begin.
     static constexpr std::uint64_t all_steps = ~std::uint64_t{0};
@@ -374,7 +400,11 @@ class ProcessClock {
     };
     std::deque<Taking> takings_;  // of what is read later, in the order of their steps
     unsigned pipelined_ = 0;      // the loop's number
+    SoundAccesses sound_;
+    std::uint32_t open_ = 0;  // sound accesses that the iteration at hand has not made yet
+    timing::Ports taken_;     // read by plain ports in the step or iteration at hand
     bool is_pipelining_ = false;
+    bool is_plain_ = false;      // it has nothing to do between its iterations but to tell of them, in one log
     bool is_held_ = false;       // in lockstep, the process goes no further than the module has got,
     std::uint64_t reached_ = 0;  // which is this step
 

@@ -37,7 +37,7 @@ template <class Token> class TokenQueue {
     }
 
   private:
-    void make_room(std::size_t values) {
+    [[gnu::noinline]] void make_room(std::size_t values) {
         std::copy(tokens_.begin() + static_cast<std::ptrdiff_t>(head_),
                   tokens_.begin() + static_cast<std::ptrdiff_t>(tail_), tokens_.begin());
         tail_ -= head_;

@@ -60,6 +60,16 @@ class OperationLog {
         if (count > 0 && !(has_open_end() && extend(operations_.back(), ports, gap, count)))
             append(Operation(Kind::iterate, ports, gap, count));
     }
+    /// One more iteration like the last one told. False: it differs, or a word cannot count it; iterate() tells it
+    /// then.
+    bool repeat(Ports::Number ports) {
+        Operation& last = operations_.back();
+        if (!has_open_end() || !last.repeats(Operation(Kind::iterate, ports, 0, 1)) ||
+            last.count() == Operation::longest_count)
+            return false;
+        last.add(1);
+        return true;
+    }
     /// iterate(), then one iteration that accesses `tail_ports`, and `tail_gap` that access nothing.
     void iterate_with_tail(Ports::Number ports, std::uint32_t count, Ports::Number tail_ports, std::uint32_t tail_gap) {
         iterate_with_tail(Kind::iterate, ports, count, tail_ports, tail_gap);

@@ -38,8 +38,14 @@ show_reports asan-ubsan
 
 cmake --preset tsan > /dev/null
 cmake --build --preset tsan --target faster-sim faster_engine_tests faster_cli_tests -- -j "$jobs"
-TSAN_OPTIONS=halt_on_error=1:die_after_fork=0:$(reports_of tsan) ctest --test-dir build/tsan -j "$jobs" \
+TSAN_OPTIONS=halt_on_error=1:die_after_fork=0:$(reports_of tsan)
+export TSAN_OPTIONS
+ctest --test-dir build/tsan -j "$jobs" \
     -R 'faster_(engine|cli)_tests\..*([Tt]hreads|jobs|in the background|sensitivities of an event file)' \
     --no-tests=error --output-on-failure || status=1
+for architecture in faster setup_overlap spans; do
+    build/tsan/bin/faster-sim run configs/banana.yaml -j 2 --set "accelerator.architecture=$architecture" \
+        --events build/tsan/run.events >/dev/null || status=1
+done
 show_reports tsan
 exit "$status"

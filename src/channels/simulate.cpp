@@ -35,7 +35,9 @@ CriticalPath path_through(DataflowAccelerator const& accelerator) {
     return replay::critical_path_of(cores, accelerator.machine());
 }
 
-/// Whether the first core's samples have got their cycles.
+bool leaves_early(SimulationOptions const& options) { return options.most_samples != SimulationOptions{}.most_samples; }
+
+/// Whether the first core's samples have got their cycles. Not while a thread works them out.
 bool has_done(DataflowAccelerator const& accelerator, std::size_t samples) {
     timing::CoreTiming const& timing = accelerator.cores().front()->timing();
     return timing.processes()[accelerator.machine().ends].stamps().size() >= samples;
@@ -48,7 +50,7 @@ void watch_samples(DataflowAccelerator& accelerator, SimulationOptions const& op
             ++done;
             if (options.progress)
                 options.progress(done);
-            if (has_done(accelerator, options.most_samples))
+            if (leaves_early(options) && has_done(accelerator, options.most_samples))
                 accelerator.leave();
         });
 }
@@ -56,8 +58,7 @@ void watch_samples(DataflowAccelerator& accelerator, SimulationOptions const& op
 /// Null: the kernel's own thread has to do it.
 std::unique_ptr<Worker> timing_thread(DataflowAccelerator& accelerator, SimulationOptions const& options) {
     constexpr std::size_t most_operations = std::size_t{1} << 20;  // that wait for it, of 8 bytes
-    bool const is_looked_at = options.critical_path || !options.recordings.empty() ||
-                              options.most_samples != SimulationOptions{}.most_samples;
+    bool const is_looked_at = options.critical_path || !options.recordings.empty() || leaves_early(options);
     if (options.jobs < 2 || is_looked_at || accelerator.engine() != Engine::decoupled ||
         accelerator.memory() != nullptr)
         return nullptr;
@@ -88,7 +89,7 @@ Cycles latest_of(DataflowAccelerator const& accelerator) {
 
 RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const& options) {
     std::uint64_t done = 0;
-    if (options.progress || options.most_samples != SimulationOptions{}.most_samples)
+    if (options.progress || leaves_early(options))
         watch_samples(accelerator, options, done);
     for (auto const& core : accelerator.cores()) {
         if (options.critical_path)

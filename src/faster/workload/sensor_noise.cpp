@@ -36,13 +36,14 @@ void add_sensor_noise(DepthImage& depth, NoiseConfig const& config, std::uint64_
     for (int row = 0; row < depth.height(); ++row) {
         for (int column = 0; column < depth.width(); ++column) {
             // Drawn for every pixel, used or not, so that one pixel's fate leaves the rest of the image alone.
-            double const error = random.normal();
+            Random::NormalDraw const error = random.normal_draw();
             bool const drops = random.uniform() < config.random_dropout;
             bool const drops_at_edge = random.uniform() < config.edge_dropout;
             double const depth_m = perfect.at(row, column);
             bool const is_missing =
                 depth_m == 0 || drops || (drops_at_edge && is_depth_edge(perfect, row, column, config.edge_step_m));
-            depth.at(row, column) = is_missing ? 0.0 : std::max(0.0, depth_m + error * axial_sigma_m(depth_m, config));
+            depth.at(row, column) =
+                is_missing ? 0.0 : std::max(0.0, depth_m + error.value() * axial_sigma_m(depth_m, config));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -91,19 +92,20 @@ std::vector<Section> capped(std::vector<Section> sections, double edge_length) {
     return sections;
 }
 
-/// One quarter of the section's outline, from u to v, as a fine polyline.
-Outline fine_quarter(Section const& section, int quarter) {
+/// The section's outline as four fine polylines: from u to v, from there to -u, and so on.
+std::array<Outline, 4> fine_quarters(Section const& section) {
     constexpr int pieces = 32;
-    Outline points;
+    Eigen::Vector3d const axes[] = {section.u, section.v, -section.u, -section.v};
+    std::array<Outline, 4> quarters;
     for (int i = 0; i <= pieces; ++i) {
         // The ends of a quarter are exact, so the four quarters meet in the same points.
         double const angle = pi / 2.0 * i / pieces;
         double const c = i == pieces ? 0.0 : std::pow(std::cos(angle), 2.0 / section.exponent);
         double const s = std::pow(std::sin(angle), 2.0 / section.exponent);
-        Eigen::Vector3d const axes[] = {section.u, section.v, -section.u, -section.v};
-        points.emplace_back(section.centre + c * axes[quarter] + s * axes[(quarter + 1) % 4]);
+        for (std::size_t quarter = 0; quarter < quarters.size(); ++quarter)
+            quarters[quarter].emplace_back(section.centre + c * axes[quarter] + s * axes[(quarter + 1) % 4]);
     }
-    return points;
+    return quarters;
 }
 
 double length(Outline const& polyline) {
@@ -135,14 +137,15 @@ Outline outline_of(Section const& section, double edge_length) {
     if (is_pole(section)) {
         return {section.centre};
     }
+    std::array<Outline, 4> const quarters = fine_quarters(section);
     double perimeter = 0.0;
-    for (int quarter = 0; quarter < 4; ++quarter) {
-        perimeter += length(fine_quarter(section, quarter));
+    for (Outline const& quarter : quarters) {
+        perimeter += length(quarter);
     }
     int const per_quarter = std::max(2, static_cast<int>(std::lround(perimeter / edge_length / 4.0)));
     Outline outline;
-    for (int quarter = 0; quarter < 4; ++quarter) {
-        append_evenly(outline, fine_quarter(section, quarter), per_quarter);
+    for (Outline const& quarter : quarters) {
+        append_evenly(outline, quarter, per_quarter);
     }
     return outline;
 }

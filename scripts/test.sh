@@ -50,7 +50,8 @@ fi
 
 cmake --preset "$preset"
 cmake --build --preset "$preset"
-ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" -LE '^(long|cluster)$'
+# One more than there are cores: some wait for browsers and servers.
+ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" -LE '^(long|cluster)$'
 
 if [[ "${CI:-}" == true ]]; then
     # Mostly waits for the disk and for apt, so others go on beside it; but not what builds in its folder.

@@ -74,6 +74,7 @@ NOT_RUN = {
 
 # Part of a command: why it is run with --long only.
 LONG = {
+    "sensitivities out/banana.events      # and how far": "README.md's, which is run",
     "size-fifos out/": "minutes",
     "cosim main_job": "half a minute",
     "sensitivities out/main.events": "half a minute",

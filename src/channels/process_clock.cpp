@@ -261,12 +261,13 @@ void ProcessClock::access_closely(timing::Ports port) {
 /// An iteration, or a step, does one thing at a port at most. Which ports a loop accesses decides when it does so.
 void ProcessClock::require_once(timing::Ports port) const {
     unsigned const number = port.first();
-    if (is_memory(number))
-        return;
-    bool const takes_memory =
-        uses_memory() && stream_ != nullptr && !stream_->writes && collected_.has(timing_.stream_port());
-    if (!is_pipelining_ && takes_memory && !timing_.writes(number))
-        refuse_both(fifos_[number]->timing().name());
+    if (uses_memory()) {
+        if (is_memory(number))
+            return;
+        bool const takes = stream_ != nullptr && !stream_->writes && collected_.has(timing_.stream_port());
+        if (!is_pipelining_ && takes && !timing_.writes(number))
+            refuse_both(fifos_[number]->timing().name());
+    }
     if (collected_.has(number) || attempted_.has(number))
         refuse_second(number);
     if (is_pipelining_ && !is_named_by(timing_.loops()[pipelined_], number))

@@ -1,0 +1,156 @@
+#include "poses/bop/read_models.hpp"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <set>
+
+#include "dataflow/base/files/file_error.hpp"
+#include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/input_error.hpp"
+#include "faster/dataflow_names.hpp"
+#include "faster/workload/files/mesh_file.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
+#include "poses/bop/json_node.hpp"
+#include "poses/bop/mended_rotations.hpp"
+
+namespace faster::bop {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The number in obj_NNNNNN; nothing for another name.
+std::optional<int> numbered_object(std::string const& stem) {
+    constexpr std::string_view prefix = "obj_";
+    int id = 0;
+    char const* const end = stem.data() + stem.size();
+    if (stem.rfind(prefix, 0) != 0)
+        return std::nullopt;
+    auto const result = std::from_chars(stem.data() + prefix.size(), end, id);
+    return result.ec == std::errc{} && result.ptr == end && id > 0 ? std::optional(id) : std::nullopt;
+}
+
+std::set<fs::path> meshes_in(fs::path const& folder) {
+    if (!fs::is_directory(folder))
+        io::fail(folder, "no such folder, expected one with models");
+    std::set<fs::path> meshes;
+    for (auto const& entry : fs::directory_iterator(folder)) {
+        if (files::has_mesh_extension(entry.path()))
+            meshes.insert(entry.path());
+    }
+    if (meshes.empty())
+        io::fail(folder, "holds no meshes, expected obj_NNNNNN.ply, or a mesh file per class");
+    return meshes;
+}
+
+ObjectModel model_named(fs::path const& mesh, int obj_id, double unit_m) {
+    ObjectModel model;
+    model.obj_id = obj_id;
+    model.name = mesh.stem().string();
+    model.mesh = mesh;
+    model.unit_m = unit_m;
+    return model;
+}
+
+std::map<int, ObjectModel> models_by_number(std::set<fs::path> const& meshes, std::optional<double> unit_m) {
+    std::map<int, ObjectModel> models;
+    for (fs::path const& mesh : meshes) {
+        if (auto const id = numbered_object(mesh.stem().string()))
+            models[*id] = model_named(mesh, *id, unit_m.value_or(files::m_per_mm));
+    }
+    return models;
+}
+
+std::map<int, ObjectModel> models_by_name(std::set<fs::path> const& meshes, std::optional<double> unit_m) {
+    std::map<int, ObjectModel> models;
+    for (fs::path const& mesh : meshes) {
+        int const id = static_cast<int>(models.size()) + 1;
+        models[id] = model_named(mesh, id, unit_m.value_or(1));
+    }
+    return models;
+}
+
+/// A symmetry: a 4 x 4 matrix, row by row, that maps the model to itself [mm].
+Pose read_symmetry(JsonNode const& node, MendedRotations& mended) {
+    std::vector<double> const m = node.numbers(16);
+    Pose pose;
+    std::string problem;
+    pose.rotation = mended.taken(files::matrix_of({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}), problem);
+    pose.translation = files::m_per_mm * Eigen::Vector3d(m[3], m[7], m[11]);
+    if (!problem.empty())
+        node.fail(problem + " and a translation");
+    return pose;
+}
+
+Eigen::Vector3d vector_of(std::vector<double> const& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+ObjectModel::Axis read_axis(JsonNode const& node) {
+    Eigen::Vector3d const direction = vector_of(node.at("axis").numbers(3));
+    if (!(direction.norm() > 0))
+        node.at("axis").fail("a direction, not 0 0 0");
+    return {direction.normalized(), files::m_per_mm * vector_of(node.at("offset").numbers(3))};
+}
+
+std::optional<ObjectModel::Bounds> read_bounds(JsonNode const& info) {
+    ObjectModel::Bounds bounds;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        std::string const name(1, "xyz"[axis]);
+        auto const min = info.find("min_" + name), size = info.find("size_" + name);
+        if (!min || !size)
+            return std::nullopt;
+        bounds.min(axis) = files::m_per_mm * min->number();
+        bounds.size(axis) = files::m_per_mm * size->number();
+    }
+    return bounds;
+}
+
+void read_info(JsonNode const& info, ObjectModel& model, MendedRotations& mended) {
+    model.diameter_m = files::m_per_mm * info.at("diameter").number_above_zero();
+    model.bounds = read_bounds(info);
+    if (auto const discrete = info.find("symmetries_discrete")) {
+        for (JsonNode const& symmetry : discrete->items())
+            model.symmetries.push_back(read_symmetry(symmetry, mended));
+    }
+    if (auto const continuous = info.find("symmetries_continuous")) {
+        for (JsonNode const& axis : continuous->items())
+            model.axes.push_back(read_axis(axis));
+    }
+}
+
+void read_infos(fs::path const& file, std::map<int, ObjectModel>& models, std::vector<std::string>& warnings) {
+    Json const json = io::read_json_file(file, "models_info.json as BOP has it");
+    for (auto& [id, model] : models)
+        model.problem =
+            fmt::format("{}: no key {}, expected one for {}", file.string(), id, model.mesh.filename().string());
+    MendedRotations mended;
+    for (auto const& [id, info] : JsonNode(file, json).numbered()) {
+        auto const found = models.find(id);
+        if (found == models.end())
+            continue;
+        ObjectModel& model = found->second;
+        model.problem.clear();
+        model.info = file;
+        try {
+            read_info(info, model, mended);
+        } catch (InputError const& error) {
+            model.problem = error.what();
+        }
+    }
+    mended.tell(file.string(), warnings);
+}
+}  // namespace
+
+std::map<int, ObjectModel> read_models_folder(fs::path const& folder, std::optional<double> unit_m,
+                                              std::vector<std::string>& warnings) {
+    std::set<fs::path> const meshes = meshes_in(folder);
+    std::map<int, ObjectModel> models = models_by_number(meshes, unit_m);
+    bool const is_bop = !models.empty();
+    if (!is_bop)
+        models = models_by_name(meshes, unit_m);
+    fs::path const infos = folder / "models_info.json";
+    if (is_bop || fs::exists(infos))
+        read_infos(infos, models, warnings);
+    return models;
+}
+
+}  // namespace faster::bop

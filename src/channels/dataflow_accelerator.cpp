@@ -12,6 +12,7 @@ DataflowAccelerator::DataflowAccelerator(sc_core::sc_module_name const& name, st
                                          std::size_t samples, Engine engine, MakeCore const& make_core)
     : sc_module(name), machine_(std::move(machine)), engine_(makes_attempts(*machine_) ? Engine::lockstep : engine) {
     TimeBase const time_base{engine_, machine_->clock_mhz};
+    end_ = machine_->cores;
     for (std::size_t core = 0; core < machine_->cores; ++core) {
         std::string const core_name = "core_" + std::to_string(core);
         CoreShare const share = share_of(core, machine_->cores, samples);
@@ -73,14 +74,24 @@ void DataflowAccelerator::let_cores_share_answers() {
 void DataflowAccelerator::let_cores_take_turns() {
     let_cores_share_answers();
     for (std::size_t core = 1; core < cores_.size(); ++core)
-        cores_[core]->run_after(*cores_[core - 1]);
+        cores_[core]->run_after(cores_[core - 1].get());
+}
+
+/// A core whose turn comes after its own never begins.
+void DataflowAccelerator::limit_to(std::size_t first, std::size_t end) {
+    first_ = first;
+    end_ = end;
+    for (std::size_t core : {std::size_t{0}, end})
+        if (core < cores_.size())
+            cores_[core]->run_after(cores_[core].get());
+    cores_[first]->run_after(nullptr);
 }
 
 /// A core that is stuck before it has done its share does not keep the next ones from theirs. Somebody may pause it
 /// all.
 void DataflowAccelerator::run() {
     sc_core::sc_start();
-    for (std::size_t next = 1; engine_ == Engine::decoupled && !is_left_ && next < cores_.size(); ++next) {
+    for (std::size_t next = first_ + 1; engine_ == Engine::decoupled && !is_left_ && next < end_; ++next) {
         if (cores_[next]->share().count == 0 || cores_[next - 1]->is_turn_over())
             continue;
         cores_[next - 1]->end_turn();

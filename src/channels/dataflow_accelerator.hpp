@@ -34,6 +34,8 @@ class DataflowAccelerator : public sc_core::sc_module {
     void load_before(std::vector<timing::LoadedRange> ranges) { loaded_ = std::move(ranges); }
     std::vector<timing::LoadedRange> const& loaded() const { return loaded_; }
 
+    /// Only cores [first, end) do their shares (decoupled, without an external memory). Before run().
+    void limit_to(std::size_t first, std::size_t end);
     /// Lets simulated time pass until nothing moves any more.
     void run();
     /// Gives the run up, from inside it.
@@ -56,6 +58,7 @@ class DataflowAccelerator : public sc_core::sc_module {
     std::unique_ptr<timing::MemorySystem> memory_;
     std::vector<timing::LoadedRange> loaded_;
     bool is_left_ = false;
+    std::size_t first_ = 0, end_ = 0;  // cores that do their shares
     sc_core::sc_event memory_asked_{"memory_asked"};
 };
 

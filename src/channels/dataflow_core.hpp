@@ -109,9 +109,9 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
         process_begins_.push_back(std::move(call));
     }
 
-    /// Lets this core begin when another one has done its share. Cores need not take turns, as they share nothing; but
-    /// one after the other keeps the host's caches warm (decoupled).
-    void run_after(DataflowCore const& other) { before_ = &other; }
+    /// Lets this core begin when another one, if there is one, has done its share. Cores need not take turns, as they
+    /// share nothing; but one after the other keeps the host's caches warm (decoupled).
+    void run_after(DataflowCore const* other) { before_ = other; }
     /// Whether the core has done its share, or has let the next one begin all the same.
     bool is_turn_over() const { return is_turn_over_; }
     /// A process cannot go on. The first error is thrown by DataflowAccelerator::run().

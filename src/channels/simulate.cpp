@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "channels/recordings.hpp"
+#include "channels/simulate_in_parts.hpp"
 #include "channels/taping.hpp"
 #include "dataflow/base/worker.hpp"
 #include "dataflow/run/replay/collect.hpp"
@@ -88,6 +89,8 @@ Cycles latest_of(DataflowAccelerator const& accelerator) {
 }  // namespace
 
 RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const& options) {
+    if (std::optional<RunStatistics> run = simulate_in_parts(accelerator, options))
+        return std::move(*run);
     std::uint64_t done = 0;
     if (options.progress || leaves_early(options))
         watch_samples(accelerator, options, done);

@@ -28,9 +28,13 @@ struct SimulationOptions {
     /// The run ends when the first core has done so many; what is recorded by then is handed over, and the figures are
     /// empty.
     std::size_t most_samples = ~std::size_t{0};
-    /// Threads that the run may use: from 2 on, one more than that of the SystemC kernel gives operations their cycles,
-    /// where nothing is recorded or traced, and there is no external memory (decoupled). Figures do not depend on it.
+    /// Cores of the host that the run may use (decoupled). Figures do not depend on it.
+    ///   With figures_alone, and nothing recorded or traced, so many processes have some of the cores each.
+    ///   Else a second thread beside that of the SystemC kernel gives operations their cycles, where no more is
+    ///   recorded than what was done, and nothing is traced.
+    /// Neither behind an external memory.
     std::size_t jobs = 1;
+    bool figures_alone = false;                              ///< nobody looks at the modules when the run is over
     bool critical_path = false;                              ///< to be traced
     bool at_any_size = false;                                ///< even if there seems to be too little memory
     bool hazards = false;                                    ///< to be looked for

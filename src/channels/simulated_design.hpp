@@ -29,6 +29,8 @@ class Workload {
     virtual LoopIterations iterations() const { return {}; }
     /// What it is made of as a table, for Design::workload_table(). Empty: not known.
     virtual std::string table() const { return {}; }
+    /// Whether modules leave nothing behind but results and figures, so that cores may run in processes of their own.
+    virtual bool leaves_figures_alone() const { return false; }
 };
 
 /// What simulating a design takes, besides what Design says of it. A program has one: whoever builds the program

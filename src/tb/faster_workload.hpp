@@ -17,6 +17,7 @@ struct FasterWorkload final : Workload {
     LoopIterations iterations() const override { return loop_iterations(stimulus); }
     std::vector<std::string> warnings() const override { return notes; }
     std::string table() const override;
+    bool leaves_figures_alone() const override { return probe == nullptr; }
 };
 
 /// FASTER for the commands that any design has.

@@ -2,8 +2,6 @@
 
 namespace faster {
 
-std::vector<Subcommand> pose_commands() {
-    return {};
-}
+std::vector<Subcommand> pose_commands() { return {}; }
 
 }  // namespace faster

@@ -46,8 +46,12 @@ TEST_CASE("How many host cores a run uses changes no figure, and nothing that it
         require_done(workspace.tool({"run", "config.yaml", "-j", jobs, "--out", jobs, "--events", jobs + ".events"}));
     for (std::string const jobs : {"2", "7"}) {
         CAPTURE(jobs);
-        for (std::string const table : {"samples.csv", "fifos.csv", "loops.csv"})
+        std::string const alone = jobs + "_alone";  // with some of the cores in each of several processes
+        require_done(workspace.tool({"run", "config.yaml", "-j", jobs, "--out", alone}));
+        for (std::string const table : {"samples.csv", "fifos.csv", "loops.csv"}) {
             CHECK(workspace.small().text(jobs + "/" + table) == workspace.small().text("1/" + table));
+            CHECK(workspace.small().text(alone + "/" + table) == workspace.small().text("1/" + table));
+        }
         CHECK(workspace.small().text(jobs + ".events") == workspace.small().text("1.events"));
     }
     workspace.check_refused({"run", "config.yaml", "-j", "0"}, {"--jobs"});

@@ -163,8 +163,7 @@ class Child {
 using Children = std::vector<std::unique_ptr<Child>>;
 
 /// Until something happens or a time limit is reached. Which children have something to say.
-std::vector<bool> wait_for_news(Children const& children, SignalWatch const& watch) {
-    constexpr double longest_wait_s = 3600;
+std::vector<bool> wait_for_news(Children const& children, SignalWatch const& watch, double longest_wait_s) {
     std::vector<pollfd> polled{{watch.descriptor(), POLLIN, 0}};
     double shortest = longest_wait_s;
     for (auto const& child : children) {
@@ -215,7 +214,9 @@ void run_stream(TaskStream const& stream, std::size_t jobs, SignalWatch const& w
         }
         if (children.empty())
             return;
-        collect(children, wait_for_news(children, watch), stream.ended);
+        collect(children, wait_for_news(children, watch, stream.meanwhile ? 0.2 : 3600), stream.ended);
+        if (stream.meanwhile)
+            stream.meanwhile();
     }
 }
 

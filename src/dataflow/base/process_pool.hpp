@@ -41,6 +41,8 @@ struct TaskStream {
     std::function<std::optional<Task>(std::size_t number)> next;
     /// That task has ended. May throw, which ends all others.
     std::function<void(std::size_t number, Outcome outcome)> ended;
+    /// Called several times a second; may be empty.
+    std::function<void()> meanwhile = {};
 };
 
 /// As run_all(), until there is no task left and none runs.

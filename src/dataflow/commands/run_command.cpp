@@ -222,6 +222,7 @@ int run(RunRequest const& request, RunExtras& extras) {
         SimulationOptions options;
         options.at_any_size = request.force;
         options.jobs = jobs_or_host_cores(request.jobs);
+        options.figures_alone = workload->leaves_figures_alone();
         options.critical_path = request.critical_path || outputs.report;
         options.hazards = request.hazards;
         options.recorded = request.sensitivities || outputs.events || outputs.report ? &recorded : nullptr;
@@ -297,8 +298,8 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");
             add_jobs(command, request->jobs,
-                     "Host cores to use: a second one works cycles out, but not with waveforms, timelines, --report, "
-                     "--critical-path or an external memory");
+                     "Host cores to use: each for some cores of the design, where nothing but figures is asked for; "
+                     "with --events or --hazards a second one works cycles out; otherwise one");
             extras->declare(command);
             add_overrides(command, request->overrides);
             add_recording_options(command, request->recording);

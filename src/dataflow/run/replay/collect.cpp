@@ -208,8 +208,10 @@ Cycles load_cycles(Machine const& machine, std::vector<timing::LoadedRange> load
 }
 
 RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine,
-                      timing::MemorySystem const* memory, std::vector<timing::LoadedRange> const& loaded) {
+                      timing::MemorySystem const* memory, std::vector<timing::LoadedRange> const& loaded,
+                      Cycles others) {
     RunStatistics run;
+    run.total_cycles = others;
     if (memory != nullptr)
         run.memory = collect_traffic(*memory, machine, cores.size());
     run.machine = machine;

@@ -21,9 +21,9 @@ struct FinishedCore {
 Cycles load_cycles(Machine const& machine, std::vector<timing::LoadedRange> loaded);
 
 /// The figures of a finished (or stuck) run of a machine. `memory`: the external one; null if it is ideal. `loaded`:
-/// what it brought before cycle 0, which adds to the total.
+/// what it brought before cycle 0, which adds to the total. `others`: cycles that cores take which are not among these.
 RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& machine,
-                      timing::MemorySystem const* memory = nullptr,
-                      std::vector<timing::LoadedRange> const& loaded = {});
+                      timing::MemorySystem const* memory = nullptr, std::vector<timing::LoadedRange> const& loaded = {},
+                      Cycles others = 0);
 
 }  // namespace dataflow::replay

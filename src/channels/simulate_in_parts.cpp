@@ -26,18 +26,17 @@ struct Meeting {
     std::atomic<std::uint64_t> samples_done{0};
     std::atomic<Cycles> end{0};  ///< the latest of all cores whose processes have come here
     std::atomic<unsigned> come{0};
-    std::atomic<bool> is_off{false};  ///< one of them will not come
     static_assert(std::atomic<std::uint64_t>::is_always_lock_free && std::atomic<Cycles>::is_always_lock_free);
 
-    /// The end of the run. Nothing if that will not be known.
-    std::optional<Cycles> end_with_all(Cycles own, unsigned all) {
+    /// The end of the run. A process that does not come here ends those that wait.
+    Cycles end_with_all(Cycles own, unsigned all) {
         Cycles latest = end;
         while (latest < own && !end.compare_exchange_weak(latest, own)) {
         }
         ++come;
-        while (come < all && !is_off)
+        while (come < all)
             std::this_thread::sleep_for(std::chrono::microseconds(100));
-        return is_off ? std::nullopt : std::optional(end.load());
+        return end;
     }
 };
 
@@ -84,7 +83,9 @@ bool can_be_parted(DataflowAccelerator const& accelerator, SimulationOptions con
            accelerator.engine() == Engine::decoupled && accelerator.memory() == nullptr;
 }
 
-/// Empty if the part does not come to its end, or another one.
+struct PartFailed {};
+
+/// Throws PartFailed if its cores do not come to their ends.
 std::string figures_of(DataflowAccelerator& accelerator, Part part, unsigned parts, Meeting& meeting) {
     for (std::size_t i = part.first; i < part.end; ++i)
         accelerator.cores()[i]->set_progress([&meeting] { ++meeting.samples_done; });
@@ -97,16 +98,14 @@ std::string figures_of(DataflowAccelerator& accelerator, Part part, unsigned par
         DataflowCore& core = *accelerator.cores()[i];
         core.timing().resolve();
         if (!core.timing().waits().empty())
-            return {};
+            throw PartFailed();
         results.push_back(all_results(core));
         cores.push_back({core.share(), core.timing(), results.back().data()});
         std::optional<RunEnd> const end = run_end(accelerator.machine(), core.timing());
         own = std::max(own, end ? end->cycle + 1 : 0);
     }
-    std::optional<Cycles> const end = meeting.end_with_all(own, parts);
-    if (!end)
-        return {};
-    RunStatistics run = replay::collect(cores, accelerator.machine(), nullptr, {}, *end);
+    Cycles const end = meeting.end_with_all(own, parts);
+    RunStatistics run = replay::collect(cores, accelerator.machine(), nullptr, {}, end);
     for (SampleStatistics& sample : run.samples)
         sample.core += part.first;
     FigureWriter bytes;
@@ -120,7 +119,7 @@ void append(RunStatistics& run, RunStatistics part) {
     std::move(part.cores.begin(), part.cores.end(), std::back_inserter(run.cores));
 }
 
-/// What the parts have sent back, by their numbers; one that has failed is empty.
+/// What the parts have sent back, by their numbers. Throws PartFailed if one of them fails, which ends the others.
 std::vector<std::string> run_parts(DataflowAccelerator& accelerator, std::vector<Part> const& parts,
                                    std::function<void(std::uint64_t)> const& progress) {
     SharedMeeting const meeting;
@@ -136,10 +135,9 @@ std::vector<std::string> run_parts(DataflowAccelerator& accelerator, std::vector
         return task;
     };
     stream.ended = [&](std::size_t number, processes::Outcome outcome) {
-        if (outcome.kind == processes::Outcome::Kind::done)
-            figures[number] = std::move(outcome.output);
-        if (figures[number].empty())
-            meeting->is_off = true;
+        if (outcome.kind != processes::Outcome::Kind::done)
+            throw PartFailed();
+        figures[number] = std::move(outcome.output);
     };
     stream.meanwhile = [&] {
         if (progress && meeting->samples_done > 0)
@@ -161,13 +159,13 @@ std::optional<RunStatistics> simulate_in_parts(DataflowAccelerator& accelerator,
     run.machine = accelerator.machine();
     try {
         for (std::string& figures : run_parts(accelerator, parts, options.progress)) {
-            if (figures.empty())
-                return std::nullopt;
             RunStatistics part;
             FigureReader bytes(std::move(figures));
             pass_figures(bytes, part);
             append(run, std::move(part));
         }
+    } catch (PartFailed const&) {
+        return std::nullopt;
     } catch (HostError const&) {  // no further process, or no memory for it
         return std::nullopt;
     }

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <limits>
+
+#include "channels/dataflow_core.hpp"
+#include "channels/fifo_channel.hpp"
+#include "channels/process_clock.hpp"
+#include "dataflow/base/input_error.hpp"
+
+namespace dataflow {
+
+// Which accesses a step, or an iteration of a loop, may make.
+
+/// In which an iteration accesses anything that its loop names; never, if it names nothing.
+Cycles ProcessClock::first_stage(timing::LoopShape const& loop) {
+    Cycles first = std::numeric_limits<Cycles>::max();
+    for (timing::LoopRead const& read : loop.reads)
+        first = std::min(first, read.stage);
+    for (timing::LoopWrite const& write : loop.writes)
+        first = std::min(first, write.write_latency);
+    return first;
+}
+
+/// What is read when an iteration begins keeps the module from everything else that the iteration does.
+void ProcessClock::require_first_stage(FifoChannel const& fifo) const {
+    timing::LoopShape const& loop = timing_.loops()[pipelined_];
+    Cycles const stage = fifo.timing().shape().read_stage;
+    if (last_attempt_ && reached_ + step_of(fifo.read_port().first()) == *last_attempt_)
+        return;
+    Cycles const first = first_stage(loop);
+    if (first < stage)
+        throw InputError("loop " + timing_.name() + "." + loop.name + " reads " + fifo.timing().name() + " in stage " +
+                         std::to_string(stage) + ", behind other accesses of an iteration (stage " +
+                         std::to_string(first) + "), but its module reads it first of all, expected " +
+                         "accelerator.fifos." + fifo.timing().name() + ".read_stage of at most " +
+                         std::to_string(first) + ", or take_later() in the module");
+}
+
+void ProcessClock::access_closely(timing::Ports port) {
+    timing_.note_site(port.first(), site_);
+    if (!collecting_) {
+        step(port);
+        return;
+    }
+    require_once(port);
+    collected_ = collected_ | port;
+    if (last_attempt_)
+        tell_behind_attempt(port);
+}
+
+/// An iteration, or a step, does one thing at a port at most. Which ports a loop accesses decides when it does so.
+void ProcessClock::require_once(timing::Ports port) const {
+    unsigned const number = port.first();
+    if (uses_memory()) {
+        if (is_memory(number))
+            return;
+        bool const takes = stream_ != nullptr && !stream_->writes && collected_.has(timing_.stream_port());
+        if (!is_pipelining_ && takes && !timing_.writes(number))
+            refuse_both(fifos_[number]->timing().name());
+    }
+    if (collected_.has(number) || attempted_.has(number))
+        refuse_second(number);
+    if (is_pipelining_ && !is_named_by(timing_.loops()[pipelined_], number))
+        refuse_unnamed(number);
+}
+
+void ProcessClock::refuse_second(unsigned port) const {
+    throw InputError("module " + timing_.name() + (timing_.writes(port) ? " writes " : " reads ") +
+                     fifos_[port]->timing().name() + " twice in a step or an iteration of a loop, expected once");
+}
+
+void ProcessClock::refuse_unnamed(unsigned port) const {
+    bool const writes = timing_.writes(port);
+    throw InputError("loop " + timing_.name() + "." + timing_.loops()[pipelined_].name +
+                     (writes ? " writes " : " reads ") + fifos_[port]->timing().name() +
+                     ", which its describe() does not say, expected " +
+                     (writes ? "leaves() or writes_to()" : "taken() or also_reads()"));
+}
+
+/// A loop that only reads, in the first stage, need not say what.
+bool ProcessClock::is_named_by(timing::LoopShape const& loop, unsigned port) const {
+    auto const is_it = [port](auto const& access) { return access.port == port; };
+    if (timing_.writes(port))
+        return std::any_of(loop.writes.begin(), loop.writes.end(), is_it);
+    return (loop.writes.empty() && loop.reads.empty()) || std::any_of(loop.reads.begin(), loop.reads.end(), is_it);
+}
+
+ProcessClock::SoundAccesses ProcessClock::sound_accesses_of(timing::LoopShape const& loop) const {
+    SoundAccesses sound;
+    if (loop.makes_attempts || fifos_.size() >= timing::Ports::in_masks)  // the memory may have a port besides
+        return sound;
+    for (unsigned port = 0; port < fifos_.size(); ++port) {
+        std::uint32_t const bit = timing::Ports::of(port).number();
+        sound.accesses |= is_named_by(loop, port) ? bit : 0;
+        sound.first_reads |= fifos_[port]->timing().shape().read_stage <= first_stage(loop) ? bit : 0;
+    }
+    return sound;
+}
+
+}  // namespace dataflow

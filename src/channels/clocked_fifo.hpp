@@ -47,13 +47,12 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     sc_core::sc_event const& data_written_event() const override { refuse("data_written_event"); }
 
     void write(Token const& token) override {
-        if (tokens_.size() > host_limit_ || !taps_.empty() || !writer_->accesses_soundly(write_port_)) {
+        if (tokens_.size() > host_limit_ || !writer_->accesses_soundly(write_port_)) {
             put_and_access(token);
             return;
         }
-        *tokens_.room(1) = token;
-        tokens_.append(1);
-        wake_reader();
+        *reserve(1) = token;
+        commit(1);
     }
     /// Writes a token if there is room for it in this cycle. As its name in sc_fifo_out_if.
     bool write_nb(Token const& token) {
@@ -142,7 +141,7 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
         writer_->access(write_port_);
     }
     /// Shows the last `count` tokens to the taps.
-    void show(std::size_t count) {
+    [[gnu::noinline]] void show(std::size_t count) {
         for (recording::TokenTap* tap : taps_) {
             std::int64_t* at = tap->room(count);
             for (Token const* token = tokens_.end() - count * tokens_.width(); token != tokens_.end(); ++token)

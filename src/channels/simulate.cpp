@@ -4,39 +4,23 @@
 #include <memory>
 #include <system_error>
 
+#include "channels/collect_from.hpp"
 #include "channels/recordings.hpp"
 #include "channels/simulate_in_parts.hpp"
 #include "channels/taping.hpp"
 #include "dataflow/base/worker.hpp"
-#include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/critical_path_of.hpp"
 #include "dataflow/run/replay/path_sweep.hpp"
 
 namespace dataflow {
 
 namespace {
-/// Of a run that has come to its end, or is stuck.
-RunStatistics collect_from(DataflowAccelerator& accelerator) {
-    std::vector<std::vector<Counters>> results;
-    std::vector<replay::FinishedCore> cores;
-    if (accelerator.memory() != nullptr)
-        accelerator.memory()->go_on(true);
-    for (auto const& core : accelerator.cores()) {
-        core->timing().resolve();
-        results.push_back(all_results(*core));
-        cores.push_back({core->share(), core->timing(), results.back().data()});
-    }
-    return replay::collect(cores, accelerator.machine(), accelerator.memory(), accelerator.loaded());
-}
-
 CriticalPath path_through(DataflowAccelerator const& accelerator) {
     std::vector<timing::CoreTiming const*> cores;
     for (auto const& core : accelerator.cores())
         cores.push_back(&static_cast<DataflowCore const&>(*core).timing());
     return replay::critical_path_of(cores, accelerator.machine());
 }
-
-bool leaves_early(SimulationOptions const& options) { return options.most_samples != SimulationOptions{}.most_samples; }
 
 /// Whether the first core's samples have got their cycles. Not while a thread works them out.
 bool has_done(DataflowAccelerator const& accelerator, std::size_t samples) {
@@ -51,7 +35,7 @@ void watch_samples(DataflowAccelerator& accelerator, SimulationOptions const& op
             ++done;
             if (options.progress)
                 options.progress(done);
-            if (leaves_early(options) && has_done(accelerator, options.most_samples))
+            if (options.leaves_early() && has_done(accelerator, options.most_samples))
                 accelerator.leave();
         });
 }
@@ -59,8 +43,7 @@ void watch_samples(DataflowAccelerator& accelerator, SimulationOptions const& op
 /// Null: the kernel's own thread has to do it.
 std::unique_ptr<Worker> timing_thread(DataflowAccelerator& accelerator, SimulationOptions const& options) {
     constexpr std::size_t most_operations = std::size_t{1} << 20;  // that wait for it, of 8 bytes
-    bool const is_looked_at = options.critical_path || !options.recordings.empty() || leaves_early(options);
-    if (options.jobs < 2 || is_looked_at || accelerator.engine() != Engine::decoupled ||
+    if (options.jobs < 2 || options.looks_at_cycles() || accelerator.engine() != Engine::decoupled ||
         accelerator.memory() != nullptr)
         return nullptr;
     try {
@@ -92,7 +75,7 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     if (std::optional<RunStatistics> run = simulate_in_parts(accelerator, options))
         return std::move(*run);
     std::uint64_t done = 0;
-    if (options.progress || leaves_early(options))
+    if (options.progress || options.leaves_early())
         watch_samples(accelerator, options, done);
     for (auto const& core : accelerator.cores()) {
         if (options.critical_path)
@@ -112,7 +95,7 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
         recordings.finish(latest_of(accelerator));
         return {};
     }
-    RunStatistics run = collect_from(accelerator);
+    RunStatistics run = collect_from(accelerator, 0, accelerator.cores().size());
     if (taping)
         taping->finish();
     if (options.critical_path && !run.deadlocked())

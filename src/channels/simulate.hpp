@@ -39,6 +39,10 @@ struct SimulationOptions {
     bool at_any_size = false;                                ///< even if there seems to be too little memory
     bool hazards = false;                                    ///< to be looked for
     std::size_t trail_length = timing::Trail::usual_length;  ///< see there; decides about memory only
+
+    bool leaves_early() const { return most_samples != SimulationOptions{}.most_samples; }
+    /// Somebody looks at cycles while the run goes on.
+    bool looks_at_cycles() const { return critical_path || !recordings.empty() || leaves_early(); }
 };
 
 /// Runs the accelerator until nothing moves, and collects its figures. A deadlock is a result, not an error: see

@@ -10,12 +10,12 @@
 #include <sys/mman.h>
 #include <thread>
 
-#include "channels/figure_bytes.hpp"
-#include "channels/taping.hpp"
+#include "channels/collect_from.hpp"
+#include "channels/figure_fields.hpp"
+#include "dataflow/base/byte_stream.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/process_pool.hpp"
 #include "dataflow/core/machine/core_ends.hpp"
-#include "dataflow/run/replay/collect.hpp"
 
 namespace dataflow {
 
@@ -78,9 +78,33 @@ std::vector<Part> parts_of(DataflowAccelerator const& accelerator, std::size_t j
 }
 
 bool can_be_parted(DataflowAccelerator const& accelerator, SimulationOptions const& options) {
-    return options.figures_alone && !options.critical_path && !options.hazards && options.recorded == nullptr &&
-           options.recordings.empty() && options.most_samples == SimulationOptions{}.most_samples &&
+    return options.figures_alone && !options.looks_at_cycles() && !options.hazards && options.recorded == nullptr &&
            accelerator.engine() == Engine::decoupled && accelerator.memory() == nullptr;
+}
+
+std::string to_bytes(RunStatistics const& part) {
+    ValueWriter writer;
+    auto const put = [&writer](auto const&... values) { writer.put(values...); };
+    put(part.total_cycles, part.samples.size(), part.cores.size());
+    for (SampleStatistics const& sample : part.samples)
+        visit_sample(put, sample);
+    for (CoreStatistics const& core : part.cores)
+        visit_core(put, core);
+    return writer.bytes();
+}
+
+RunStatistics from_bytes(std::string bytes, Machine const& machine) {
+    ValueReader reader(std::move(bytes));
+    auto const get = [&reader](auto&... values) { reader.get(values...); };
+    RunStatistics part;
+    get(part.total_cycles);
+    part.samples.resize(reader.get_size());
+    part.cores.resize(reader.get_size(), empty_core(machine));
+    for (SampleStatistics& sample : part.samples)
+        visit_sample(get, sample);
+    for (CoreStatistics& core : part.cores)
+        visit_core(get, core);
+    return part;
 }
 
 struct PartFailed {};
@@ -92,25 +116,18 @@ std::string figures_of(DataflowAccelerator& accelerator, Part part, unsigned par
     accelerator.limit_to(part.first, part.end);
     accelerator.run();
     Cycles own = 0;
-    std::vector<std::vector<Counters>> results;
-    std::vector<replay::FinishedCore> cores;
     for (std::size_t i = part.first; i < part.end; ++i) {
-        DataflowCore& core = *accelerator.cores()[i];
-        core.timing().resolve();
-        if (!core.timing().waits().empty())
+        timing::CoreTiming& timing = accelerator.cores()[i]->timing();
+        timing.resolve();
+        if (!timing.waits().empty())
             throw PartFailed();
-        results.push_back(all_results(core));
-        cores.push_back({core.share(), core.timing(), results.back().data()});
-        std::optional<RunEnd> const end = run_end(accelerator.machine(), core.timing());
+        std::optional<RunEnd> const end = run_end(accelerator.machine(), timing);
         own = std::max(own, end ? end->cycle + 1 : 0);
     }
-    Cycles const end = meeting.end_with_all(own, parts);
-    RunStatistics run = replay::collect(cores, accelerator.machine(), nullptr, {}, end);
+    RunStatistics run = collect_from(accelerator, part.first, part.end, meeting.end_with_all(own, parts));
     for (SampleStatistics& sample : run.samples)
         sample.core += part.first;
-    FigureWriter bytes;
-    pass_figures(bytes, run);
-    return std::move(bytes).take();
+    return to_bytes(run);
 }
 
 void append(RunStatistics& run, RunStatistics part) {
@@ -158,12 +175,8 @@ std::optional<RunStatistics> simulate_in_parts(DataflowAccelerator& accelerator,
     RunStatistics run;
     run.machine = accelerator.machine();
     try {
-        for (std::string& figures : run_parts(accelerator, parts, options.progress)) {
-            RunStatistics part;
-            FigureReader bytes(std::move(figures));
-            pass_figures(bytes, part);
-            append(run, std::move(part));
-        }
+        for (std::string& figures : run_parts(accelerator, parts, options.progress))
+            append(run, from_bytes(std::move(figures), run.machine));
     } catch (PartFailed const&) {
         return std::nullopt;
     } catch (HostError const&) {  // no further process, or no memory for it

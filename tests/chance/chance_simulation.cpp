@@ -12,6 +12,7 @@
 #include "channels/sample_module.hpp"
 #include "channels/simple_simulation.hpp"
 #include "channels/simulate.hpp"
+#include "dataflow/base/byte_stream.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/run/events/event_file.hpp"
@@ -19,7 +20,6 @@
 #include "dataflow/tools/report/summary.hpp"
 #include "dataflow/tools/sizing/size_fifos.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/byte_stream.hpp"
 #include "support/forked_bytes.hpp"
 
 namespace faster::chance {
@@ -303,13 +303,13 @@ Outcome run_here(Design const& design, Design const& other, faster::Engine engin
     return outcome;
 }
 
-void put(testing::ByteWriter& writer, Figures const& figures) {
+void put(ValueWriter& writer, Figures const& figures) {
     writer.put(figures.is_stuck, figures.total_cycles, figures.lines.size());
     for (std::string const& line : figures.lines)
         writer.put(line);
 }
 
-Figures get(testing::ByteReader& reader) {
+Figures get(ValueReader& reader) {
     Figures figures;
     reader.get(figures.is_stuck);
     reader.get(figures.total_cycles);
@@ -320,7 +320,7 @@ Figures get(testing::ByteReader& reader) {
 }
 
 std::string bytes_of(Outcome const& outcome) {
-    testing::ByteWriter writer;
+    ValueWriter writer;
     writer.put(outcome.error);
     writer.put(outcome.refusal);
     for (Figures const* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
@@ -338,7 +338,7 @@ std::string bytes_of(Outcome const& outcome) {
 Outcome run_forked(Design const& design, Design const& other, faster::Engine engine, bool records, bool sizes) {
     Outcome outcome;
     try {
-        testing::ByteReader reader(
+        ValueReader reader(
             testing::forked_bytes([&] { return bytes_of(run_here(design, other, engine, records, sizes)); }));
         reader.get(outcome.error);
         reader.get(outcome.refusal);

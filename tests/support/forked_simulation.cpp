@@ -4,13 +4,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "channels/figure_fields.hpp"
+#include "dataflow/base/byte_stream.hpp"
 #include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/run/events/event_file.hpp"
 #include "dataflow/run/replay/sensitivities.hpp"
 #include "dataflow/tools/report/summary.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/byte_stream.hpp"
 #include "support/forked_bytes.hpp"
 #include "support/idle_run.hpp"
 #include "support/raster_machine.hpp"
@@ -46,29 +47,6 @@ class MapCollector : public SampleProbe {
     int window_;
 };
 
-/// Visits the fields of one row, to send or to receive them: both sides share the list.
-template <class Visit, class Row> void visit_sample(Visit visit, Row& row) {
-    visit(row.sample, row.core, row.start_cycle, row.end_cycle, row.counters);
-}
-
-template <class Visit, class Row> void visit_core(Visit visit, Row& core) {
-    visit(core.samples, core.end_cycle);
-    for (auto& row : core.fifos)
-        visit(row.kind, row.depth, row.capacity, row.write_latency, row.writes, row.reads, row.full_stall_cycles,
-              row.empty_stall_cycles, row.max_occupancy);
-    for (auto& row : core.loops)
-        visit(row.ii_target, row.ii_recurrence, row.ii, row.depth, row.entries, row.iterations,
-              row.port_conflict_cycles, row.recurrence_cycles, row.interlock_cycles, row.limited_by, row.bram,
-              row.bram_accesses);
-    for (auto& row : core.processes) {
-        for (auto& cycles : row.cycles)
-            visit(cycles);
-        visit(row.stalls, row.port_conflicts);
-    }
-    for (auto& row : core.dependences)
-        visit(row.loop, row.number, row.smallest, row.counts);
-}
-
 template <class Visit, class Row> void visit_stuck(Visit visit, Row& row) {
     visit(row.core, row.process, row.position, row.fifo, row.to_write, row.occupancy, row.capacity, row.since_cycle,
           row.waits_for, row.source);
@@ -96,7 +74,7 @@ template <class Visit, class Memory> void visit_memory(Visit visit, Memory& memo
 }
 
 std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& maps) {
-    ByteWriter writer;
+    ValueWriter writer;
     auto const put = [&writer](auto const&... values) { writer.put(values...); };
     CriticalPath const path = run.critical_path.value_or(CriticalPath{});
     MemoryTraffic const memory = run.memory.value_or(MemoryTraffic{});
@@ -122,7 +100,7 @@ std::string to_bytes(RunStatistics const& run, std::vector<SampleMaps> const& ma
     return writer.bytes();
 }
 
-template <class Pixel> void get_image(ByteReader& reader, int window, Image<Pixel>& image) {
+template <class Pixel> void get_image(ValueReader& reader, int window, Image<Pixel>& image) {
     std::vector<Pixel> pixels;
     reader.get(pixels);
     if (pixels.empty())
@@ -132,7 +110,7 @@ template <class Pixel> void get_image(ByteReader& reader, int window, Image<Pixe
 }
 
 ForkedRun from_bytes(std::string bytes, Machine const& machine, int window) {
-    ByteReader reader(std::move(bytes));
+    ValueReader reader(std::move(bytes));
     auto const get = [&reader](auto&... values) { reader.get(values...); };
     std::string error;
     get(error);
@@ -217,7 +195,7 @@ std::string simulated_bytes(AcceleratorConfig const& config, Stimulus const& sti
             write_events(wanted.events, config, recorded, run);
         return to_bytes(run, collector.maps());
     } catch (std::exception const& error) {
-        ByteWriter writer;
+        ValueWriter writer;
         writer.put(std::string("threw: ") + error.what());
         return writer.bytes();
     }

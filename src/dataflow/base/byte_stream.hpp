@@ -8,11 +8,11 @@
 #include <type_traits>
 #include <vector>
 
-namespace faster::testing {
+namespace dataflow {
 
 /// Appends values to a string of bytes, for a reader in a process of the same build. A value is a number or an enum, a
 /// string, or a vector of numbers.
-class ByteWriter {
+class ValueWriter {
   public:
     template <class... Values> void put(Values const&... values) { (put_one(values), ...); }
     std::string const& bytes() const { return bytes_; }
@@ -41,9 +41,9 @@ class ByteWriter {
 };
 
 /// Takes them out again, in the same order. Throws std::runtime_error at the end of the bytes.
-class ByteReader {
+class ValueReader {
   public:
-    explicit ByteReader(std::string bytes) : bytes_(std::move(bytes)) {}
+    explicit ValueReader(std::string bytes) : bytes_(std::move(bytes)) {}
 
     template <class... Values> void get(Values&... values) { (get_one(values), ...); }
     std::size_t get_size() {
@@ -84,4 +84,4 @@ class ByteReader {
     std::size_t next_ = 0;
 };
 
-}  // namespace faster::testing
+}  // namespace dataflow

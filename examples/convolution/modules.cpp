@@ -3,6 +3,7 @@
 namespace convolution {
 
 using dataflow::ModuleDescription;
+using dataflow::tokens_of;
 
 ModuleDescription Reader::describe() {
     ModuleDescription module("reader");
@@ -13,8 +14,8 @@ ModuleDescription Reader::describe() {
 
 void Reader::work(std::size_t image) {
     clock_.advance(1);
-    clock_.pipeline("read", images_.pixels(), [&](std::uint64_t i) {
-        pixel_out.write(images_.pixel(image, i / images_.cols, i % images_.cols));
+    clock_.pipeline("read", images_.pixels(), tokens_of(pixel_out), [&](std::uint64_t i, Pixel& pixel) {
+        pixel = images_.pixel(image, i / images_.cols, i % images_.cols);
     });
 }
 
@@ -43,9 +44,9 @@ Convolve::Convolve(sc_core::sc_module_name const& name, dataflow::SimpleCore& co
 
 void Convolve::work(std::size_t /*image*/) {
     clock_.advance(1);
-    clock_.pipeline("convolve", images_.pixels(), [this](std::uint64_t i) {
-        sum_out.write(take(pixel_in.read(), i / images_.cols, i % images_.cols));
-    });
+    clock_.pipeline(
+        "convolve", images_.pixels(), tokens_of(pixel_in, sum_out),
+        [this](std::uint64_t i, Pixel pixel, Sum& sum) { sum = take(pixel, i / images_.cols, i % images_.cols); });
 }
 
 /// Moves the window one pixel to the right and adds it up.
@@ -76,8 +77,7 @@ void Writer::work(std::size_t image) {
     std::uint64_t total = 0;
     std::uint64_t wrong = 0;
     clock_.advance(1);
-    clock_.pipeline("write", images_.pixels(), [&](std::uint64_t i) {
-        Sum const sum = sum_in.read();
+    clock_.pipeline("write", images_.pixels(), tokens_of(sum_in), [&](std::uint64_t i, Sum sum) {
         total += sum;
         if (sum != plain_sum(images_, image, i / images_.cols, i % images_.cols))
             ++wrong;

@@ -21,8 +21,8 @@ class Reader : public SimpleModule {
   private:
     void work(std::size_t /*sample*/) override {
         clock_.advance(1);
-        clock_.pipeline("fetch", number("workload.numbers"),
-                        [this](std::uint64_t i) { number_out.write(static_cast<std::uint32_t>(i)); });
+        clock_.pipeline("fetch", number("workload.numbers"), tokens_of(number_out),
+                        [](std::uint64_t i, std::uint32_t& number) { number = static_cast<std::uint32_t>(i); });
     }
 };
 
@@ -43,8 +43,8 @@ class Scaler : public SimpleModule {
   private:
     void work(std::size_t /*sample*/) override {
         clock_.advance(1);
-        clock_.pipeline("scale", number("workload.numbers"),
-                        [this](std::uint64_t) { product_out.write(3 * number_in.read()); });
+        clock_.pipeline("scale", number("workload.numbers"), tokens_of(number_in, product_out),
+                        [](std::uint32_t number, std::uint32_t& product) { product = 3 * number; });
     }
 };
 
@@ -64,7 +64,8 @@ class Writer : public SimpleModule {
     void work(std::size_t /*sample*/) override {
         std::uint64_t sum = 0;
         clock_.advance(1);
-        clock_.pipeline("store", number("workload.numbers"), [&](std::uint64_t) { sum += product_in.read(); });
+        clock_.pipeline("store", number("workload.numbers"), tokens_of(product_in),
+                        [&](std::uint32_t product) { sum += product; });
         add_result({sum});
     }
 };

@@ -68,11 +68,11 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
     sc_core::sc_event const& data_read_event() const override { refuse("data_read_event"); }
 
     /// The tokens at hand, contiguous from front(); suspends the reader until there is one. In lockstep it is one at a
-    /// time.
-    std::size_t peek() {
+    /// time. `others`: what has been found to be there, and is read in the same cycle.
+    std::size_t peek(timing::Ports others = {}) {
         std::size_t there = visible();
         for (; there == 0; there = visible())
-            reader_->wait_for_tokens(*this);
+            reader_->wait_for_tokens(*this, others);
         return there;
     }
     /// The next token, as soon as the host has it, whatever its cycle: for loops that read in a later stage. The module

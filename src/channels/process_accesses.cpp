@@ -59,8 +59,14 @@ void ProcessClock::require_once(timing::Ports port) const {
     }
     if (collected_.has(number) || attempted_.has(number))
         refuse_second(number);
-    if (is_pipelining_ && !is_named_by(timing_.loops()[pipelined_], number))
-        refuse_unnamed(number);
+    if (is_pipelining_)
+        require_named(pipelined_, number);
+}
+
+void ProcessClock::require_access(unsigned loop, timing::Ports others, timing::Ports port) const {
+    if (others.has(port.first()))
+        refuse_second(port.first());
+    require_named(loop, port.first());
 }
 
 void ProcessClock::refuse_second(unsigned port) const {
@@ -68,11 +74,13 @@ void ProcessClock::refuse_second(unsigned port) const {
                      fifos_[port]->timing().name() + " twice in a step or an iteration of a loop, expected once");
 }
 
-void ProcessClock::refuse_unnamed(unsigned port) const {
+void ProcessClock::require_named(unsigned loop, unsigned port) const {
+    timing::LoopShape const& shape = timing_.loops()[loop];
     bool const writes = timing_.writes(port);
-    throw InputError("loop " + timing_.name() + "." + timing_.loops()[pipelined_].name +
-                     (writes ? " writes " : " reads ") + fifos_[port]->timing().name() +
-                     ", which its describe() does not say, expected " +
+    if (is_named_by(shape, port))
+        return;
+    throw InputError("loop " + timing_.name() + "." + shape.name + (writes ? " writes " : " reads ") +
+                     fifos_[port]->timing().name() + ", which its describe() does not say, expected " +
                      (writes ? "leaves() or writes_to()" : "taken() or also_reads()"));
 }
 

@@ -117,6 +117,13 @@ WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string
     return distances;
 }
 
+bool ProcessClock::knows_iterations(unsigned loop) const {
+    timing::LoopShape const& shape = timing_.loops()[loop];
+    Cycles const latest = lockstep() ? 0 : first_stage(shape);
+    return !shape.makes_attempts && std::all_of(shape.reads.begin(), shape.reads.end(),
+                                                [=](timing::LoopRead const& read) { return read.stage <= latest; });
+}
+
 bool ProcessClock::has_interlocks(unsigned loop) const {
     return std::any_of(interlocks_.begin(), interlocks_.end(),
                        [loop](Interlock const& interlock) { return interlock.loop == loop; });
@@ -141,8 +148,6 @@ timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.
 // what it does there. So the process is let go as far as the module has got, step by step.
 
 void ProcessClock::open_loop(unsigned loop, SourceSite site) {
-    if (is_taken_by_loop() && timing_.loops()[loop].uses_memory)
-        enter_memory();
     enter_loop(loop, site);
     std::vector<timing::LoopRead> const& reads = timing_.loops()[loop].reads;
     pipelined_ = loop;
@@ -295,11 +300,10 @@ sc_core::sc_time ProcessClock::left_until(Cycles cycle) const {
     return sc_core::sc_time::from_value(target - std::min(target, now));
 }
 
-void ProcessClock::wait_for_tokens(FifoChannel& fifo) {
+void ProcessClock::wait_for_tokens(FifoChannel& fifo, timing::Ports others) {
     if (is_held_ && collecting_ && lockstep() && follow_in_lockstep(reached_ + fifo.timing().shape().read_stage))
         return;  // a token may have come
     timing_.set_starving(static_cast<int>(fifo.read_port().first()));
-    timing::Ports others;
     taken_.each([&](unsigned port) {
         if (collected_.has(port))
             others = others | timing::Ports::of(port);

@@ -52,6 +52,12 @@ class ProcessClock {
     WriteDistances* write_distances(std::string_view loop, std::string_view memory);
     /// Whether iterations of a loop may have to wait for writes (`hazards: interlock`). They are told one by one then.
     bool has_interlocks(unsigned loop) const;
+    /// Whether the module may do many iterations of a loop at once: all that they read is read before they do anything
+    /// else, and they make no attempts. In lockstep it is read in stage 0, besides.
+    bool knows_iterations(unsigned loop) const;
+    bool is_pipelined(unsigned loop) const;
+    /// Errors: InputError if an iteration of a loop does not access a port besides `others`.
+    void require_access(unsigned loop, timing::Ports others, timing::Ports port) const;
     /// The next iteration to be told waits for the writes of others that it must not overtake: those that its loop's
     /// WriteDistances have met in the iteration at hand there, or in the one before it.
     void await_writes(unsigned loop, bool of_one_before = false);
@@ -101,6 +107,8 @@ class ProcessClock {
     }
 
     void enter_loop(unsigned loop, SourceSite site = SourceSite::here()) {
+        if (stream_ != nullptr)
+            enter_memory(loop);
         timing_.note_loop_site(loop, site);
         say([loop](OperationLog& log) { log.enter(loop); });
     }
@@ -149,6 +157,29 @@ class ProcessClock {
         }
         close_loop();
     }
+    /// `count` iterations that access nothing.
+    void pipeline(std::string_view loop_name, std::uint64_t count, SourceSite site = SourceSite::here()) {
+        unsigned const number = loop(loop_name);
+        if (count == 0 && is_pipelined(number))
+            return;
+        enter_loop(number, site);
+        iterate(timing::no_ports, count);
+        leave_loop();
+    }
+    /// `count` iterations, each of which accesses the same FIFOs: `tokens` is tokens_of(ports...), and `body` is called
+    /// with the tokens read, then with those to be written, and before them with the iteration's number, if it takes
+    /// one. The fast form, and no longer than the others.
+    template <class Tokens, class Body>
+    void pipeline(std::string_view loop_name, std::uint64_t count, Tokens const& tokens, Body body,
+                  SourceSite site = SourceSite::here()) {
+        unsigned const number = loop(loop_name);
+        if (count == 0 && is_pipelined(number))
+            return;
+        if (knows_iterations(number))
+            tokens.loop(*this, loop_name).run_each(count, body, site);
+        else
+            pipeline(loop_name, count, tokens.by_plain_accesses(body), site);
+    }
     /// Of a loop whose trip count depends on what it does: as many iterations as `body` asks for, by returning true.
     template <class Body>
     void pipeline_while(std::string_view loop_name, Body body, SourceSite site = SourceSite::here()) {
@@ -160,6 +191,14 @@ class ProcessClock {
             close_iteration();
         }
         close_loop();
+    }
+    template <class Tokens, class Body>
+    void pipeline_while(std::string_view loop_name, Tokens const& tokens, Body body,
+                        SourceSite site = SourceSite::here()) {
+        if (knows_iterations(loop(loop_name)))
+            tokens.loop(*this, loop_name).run_while(body, site);
+        else
+            pipeline_while(loop_name, tokens.by_plain_accesses(body), site);
     }
     /// A loop in pieces, for who has no body that can be called. Iterations are numbered from 0 on.
     void open_loop(unsigned loop, SourceSite site = SourceSite::here());
@@ -287,8 +326,8 @@ class ProcessClock {
         taken_ = taken_ | port;
     }
     /// Suspends the calling thread until the FIFO's other side may have done something; what for is told to deadlock
-    /// reports.
-    void wait_for_tokens(FifoChannel& fifo);
+    /// reports, and `others` that have a token and are read in the same cycle.
+    void wait_for_tokens(FifoChannel& fifo, timing::Ports others = {});
     void wait_for_room(FifoChannel& fifo);
 
   private:
@@ -330,17 +369,16 @@ class ProcessClock {
     void require_memory(unsigned port) const;
     [[noreturn]] void refuse_both(std::string const& fifo) const;
     bool is_taken_by_loop() const;
-    void enter_memory();
+    void enter_memory(unsigned loop);
     void hand_over(FifoEnd::When when);
     bool is_memory(unsigned port) const { return uses_memory() && port == timing_.stream_port(); }
     static timing::Ports read_port_of(FifoChannel const& fifo);
     void require_first_stage(FifoChannel const& fifo) const;
     void require_once(timing::Ports port) const;
     [[noreturn]] void refuse_second(unsigned port) const;
-    [[noreturn]] void refuse_unnamed(unsigned port) const;
+    void require_named(unsigned loop, unsigned port) const;
     static Cycles first_stage(timing::LoopShape const& loop);
     bool is_named_by(timing::LoopShape const& loop, unsigned port) const;
-    bool is_pipelined(unsigned loop) const;
     void reach(std::uint64_t iteration);
     void end_body();
     void take_before(std::uint64_t step);

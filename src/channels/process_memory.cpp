@@ -81,8 +81,10 @@ void ProcessClock::require_memory(unsigned port) const {
 
 bool ProcessClock::is_taken_by_loop() const { return stream_ != nullptr && !stream_->writes && !stream_->loop.empty(); }
 
-/// Each time that the loop is entered it has an entry, which may have no tokens.
-void ProcessClock::enter_memory() {
+/// Each time that a loop is entered that takes tokens, it has an entry, which may have none.
+void ProcessClock::enter_memory(unsigned loop) {
+    if (!is_taken_by_loop() || !timing_.loops()[loop].uses_memory)
+        return;
     if (entries_told_.empty())
         tell_entry({dataflow_core_.begun(timing_.index()) - 1, {}});
     tokens_at_hand_ += entries_told_.front();

@@ -4,6 +4,7 @@
 
 #include "channels/dataflow_core.hpp"
 #include "channels/process_clock.hpp"
+#include "channels/tokens_of.hpp"
 
 namespace dataflow {
 

@@ -109,6 +109,53 @@ class ChanceModule : public SampleModule {
     }
 
     void do_loop(Segment const& segment) {
+        if (!do_token_loop(segment))
+            do_iterations(segment);
+    }
+    /// By tokens_of(), if every iteration accesses the same one or two FIFOs of each kind. False: it does not.
+    bool do_token_loop(Segment const& segment) {
+        Accesses const accesses = segment.iterations.empty() ? Accesses() : segment.iterations.front();
+        bool const are_equal = std::all_of(segment.iterations.begin(), segment.iterations.end(),
+                                           [&](Accesses const& other) { return other == accesses; });
+        bool const are_plain = std::all_of(accesses.begin(), accesses.end(), [this](std::size_t one) {
+            return !tries(one) && (writes(one) || is_first_stage(one));
+        });
+        Accesses order = accesses;
+        auto const first_write =
+            std::stable_partition(order.begin(), order.end(), [this](std::size_t one) { return !writes(one); });
+        Accesses const reads(order.begin(), first_write);
+        Accesses const writes(first_write, order.end());
+        if (!are_equal || !are_plain || accesses.empty() || reads.size() > 2 || writes.size() > 2 ||
+            segment.tokens() > 0)
+            return false;
+        auto const body = [&](std::uint64_t /*iteration*/, auto&... tokens) {
+            std::size_t at = 0;
+            (use(order[at++], tokens), ...);
+        };
+        with_fifos(reads, [&](auto const& in) {
+            with_fifos(writes, [&](auto const& out) {
+                clock_.pipeline(process().loops[segment.loop].name, segment.iterations.size(), token_ports(in, out),
+                                body);
+            });
+        });
+        return true;
+    }
+    template <class Call> void with_fifos(Accesses const& numbers, Call call) {
+        if (numbers.empty())
+            call(std::tuple<>());
+        else if (numbers.size() == 1)
+            call(std::tuple(&fifo(numbers[0])));
+        else
+            call(std::tuple(&fifo(numbers[0]), &fifo(numbers[1])));
+    }
+    void use(std::size_t number, Token const& token) { take(number, token); }
+    void use(std::size_t number, Token& token) {
+        if (writes(number))
+            token = next_[number]++;
+        else
+            take(number, token);
+    }
+    void do_iterations(Segment const& segment) {
         unsigned const loop = clock_.loop(process().loops[segment.loop].name);
         clock_.pipeline(process().loops[segment.loop].name, segment.iterations.size(), [&](std::uint64_t i) {
             if (segment.is_at_memory(i))

@@ -42,7 +42,18 @@ TEST_CASE("a FIFO that an iteration accesses twice, or that its loop does not na
     pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
         clock.pipeline("other", 10, [&](std::uint64_t) { fifo.write(1); });
     };
-    check_both(pair, "loop writer.other writes f, which its describe() does not say, expected leaves() or writes_to()");
+    std::string const unnamed =
+        "loop writer.other writes f, which its describe() does not say, expected leaves() or writes_to()";
+    check_both(pair, unnamed);
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("other", 10, token_ports(std::tuple(), std::tuple(&fifo)), [](Token& token) { token = 1; });
+    };
+    check_both(pair, unnamed);
+    pair = sound_pair();
+    pair.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("receive", 10, token_ports(std::tuple(&fifo, &fifo), std::tuple()), [](Token, Token) {});
+    };
+    check_both(pair, "module reader reads f twice in a step or an iteration of a loop, expected once");
 }
 
 TEST_CASE("a token that a loop reads behind other accesses is for take_later") {

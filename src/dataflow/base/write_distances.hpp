@@ -73,6 +73,7 @@ class WriteDistances {
 
 /// Counts nothing, and costs nothing.
 struct NoWriteDistances {
+    void enter() {}
     void next_iteration() {}
     void read(std::size_t /*word*/) {}
     void overwrite(std::size_t /*word*/) {}

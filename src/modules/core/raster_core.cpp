@@ -112,7 +112,7 @@ template <class Rasterizer> void RasterCore::join_rasterizer(Rasterizer& rasteri
 RasterCore::Module RasterCore::make_edge_map_builder() {
     if (!has("edge_map_builder"))
         return nullptr;
-    if (!EdgeMapBuilderVariant::is_needed(context_.config, machine())) {
+    if (!EdgeMapBuilderVariant::is_needed(context_.config)) {
         auto builder = std::make_unique<EdgeMapBuilder>("edge_map_builder", context_);
         edge_token_.bind(builder->edge_token_in);
         builder->edge_map_out(edge_map_);
@@ -141,7 +141,7 @@ RasterCore::Module RasterCore::make_edge_map_output() {
 }
 
 RasterCore::Module RasterCore::make_inlier_unit() {
-    if (!InlierUnitVariant::is_needed(context_.config, machine())) {
+    if (!InlierUnitVariant::is_needed(context_.config)) {
         auto unit = std::make_unique<InlierUnit>("inlier_unit", context_);
         join_inlier_unit(*unit);
         join_scoring(*unit);

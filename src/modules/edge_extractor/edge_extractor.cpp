@@ -12,8 +12,6 @@ EdgeExtractor::EdgeExtractor(CoreContext const& core, ProcessClock& clock)
       extraction_(core.config.edge_extraction, core.stimulus.window, core.stimulus.fraction.depth_buffer),
       edges_(core.window_pixels()) {}
 
-void EdgeExtractor::connect() { loop_ = clock_.loop("extract"); }
-
 void EdgeExtractor::extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer, PixelBox const& box) {
     extraction_.extract(depth_buffer, edges_);
     if (core_.probe != nullptr)
@@ -23,10 +21,7 @@ void EdgeExtractor::extract(std::size_t sample, std::vector<std::uint16_t> const
         return;
     }
     auto const cols = static_cast<std::size_t>(box.cols());
-    clock_.enter_loop(loop_);
-    clock_.iterate(timing::no_ports,
-                   static_cast<std::size_t>(box.rows()) * cols + extract_design(core_.config).lead(cols));
-    clock_.leave_loop();
+    clock_.pipeline("extract", static_cast<std::size_t>(box.rows()) * cols + extract_design(core_.config).lead(cols));
 }
 
 /// There is no object map: what is drawn stands in the depth buffer.

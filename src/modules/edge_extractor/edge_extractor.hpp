@@ -15,8 +15,6 @@ namespace faster {
 class EdgeExtractor {
   public:
     EdgeExtractor(CoreContext const& core, ProcessClock& clock);
-    /// When the process's clock is connected.
-    void connect();
     /// `box`: the pixels looked at; nothing is drawn outside.
     void extract(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer, PixelBox const& box);
     /// W x W bits of the sample extracted last, row-major.
@@ -29,7 +27,6 @@ class EdgeExtractor {
     ProcessClock& clock_;
     datapath::EdgeExtraction extraction_;
     std::vector<std::uint8_t> edges_;
-    unsigned loop_ = 0;
 };
 
 }  // namespace faster

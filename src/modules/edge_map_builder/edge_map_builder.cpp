@@ -39,11 +39,8 @@ EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext 
 
 void EdgeMapBuilder::end_of_elaboration() {
     clock_.connect_all();
-    edge_token_ = &channel_of(edge_token_in);
-    edge_map_ = &channel_of(edge_map_out);
-    clear_loop_ = clock_.loop("clear");
-    token_loop_ = clock_.loop("token");
-    output_loop_ = clock_.loop("output");
+    token_.connect(clock_, "token", &channel_of(edge_token_in));
+    output_.connect(clock_, "output", &channel_of(edge_map_out));
     watched_.watch({clock_.write_distances("token", "edge_map"), clock_.write_distances("token", "object_map")});
 }
 
@@ -61,9 +58,7 @@ void EdgeMapBuilder::run() {
 
 void EdgeMapBuilder::clear() {
     maps_.clear();
-    clock_.enter_loop(clear_loop_);
-    clock_.iterate(timing::no_ports, core_.window_pixels());
-    clock_.leave_loop();
+    clock_.pipeline("clear", core_.window_pixels());
 }
 
 void EdgeMapBuilder::build() {
@@ -74,49 +69,16 @@ void EdgeMapBuilder::build() {
         clock_.advance(1);
         return;
     }
-    clock_.enter_loop(token_loop_);
     watched_.enter();
-    while (take_tokens(current)) {
-    }
-    clock_.leave_loop();
-}
-
-/// Works off the tokens at hand. Every iteration that consumes `current` reads the next token in its step, so that the
-/// loop knows the end token one iteration early: then the second iteration of the last token never runs, unless the
-/// configuration says so. Iterations are told many together, with a bit each for those that a second one follows; while
-/// the clock lets them pass, others may put tokens where these lie. True until the end token has been read.
-bool EdgeMapBuilder::take_tokens(EdgeToken& current) {
-    std::size_t const available = edge_token_->peek();
-    EdgeToken const* next = edge_token_->front();
-    EdgeToken const* const end =
-        std::find_if(next, next + available, [](EdgeToken const& token) { return token.kind == EdgeTokenKind::End; });
-    bool const has_ended = end != next + available;
-    std::size_t const taken = static_cast<std::size_t>(end - next) + (has_ended ? 1 : 0);
-    while (next != end) {
-        auto const count = static_cast<unsigned>(std::min<std::ptrdiff_t>(end - next, timing::Operation::longest_mix));
-        std::uint32_t const seconds = watched_.take(maps_, current, next, count);
-        current = next[count - 1];
-        clock_.iterate_mixed(edge_token_->read_port(), count, seconds);
-        next += count;
-    }
-    if (has_ended) {
-        bool const second = watched_.take_last(maps_, current, core_.config.edge_map.flush_last);
-        clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
-    }
-    edge_token_->consume(taken);
-    return !has_ended;
+    token_.run_mixed([&](unsigned most, EdgeToken const* next) {
+        return watched_.take(maps_, current, next, most, core_.config.edge_map.flush_last);
+    });
 }
 
 void EdgeMapBuilder::send() {
-    auto const side = static_cast<std::size_t>(maps_.side());
-    clock_.enter_loop(output_loop_);
-    for (std::size_t row = 0; row < side; ++row) {
-        edge_map_->await_room();
-        std::copy_n(maps_.edge() + row * side, side, edge_map_->reserve(side));
-        edge_map_->commit(side);
-        clock_.iterate(edge_map_->write_port(), side);
-    }
-    clock_.leave_loop();
+    output_.run(core_.window_pixels(), [&](std::size_t first, std::size_t count, std::uint8_t* bits) {
+        std::copy_n(maps_.edge() + first, count, bits);
+    });
 }
 
 }  // namespace faster

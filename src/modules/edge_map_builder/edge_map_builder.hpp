@@ -1,6 +1,7 @@
 #pragma once
 #include <systemc>
 
+#include "channels/token_loop.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
@@ -30,18 +31,14 @@ class EdgeMapBuilder : public sc_core::sc_module {
     void run();
     void clear();
     void build();
-    bool take_tokens(EdgeToken& current);
     void send();
 
     CoreContext const& core_;
     ProcessClock clock_;
     datapath::DualMap maps_;
     WatchedMaps watched_;
-    ClockedFifo<EdgeToken>* edge_token_ = nullptr;
-    ClockedFifo<std::uint8_t>* edge_map_ = nullptr;
-    unsigned clear_loop_ = 0;
-    unsigned token_loop_ = 0;
-    unsigned output_loop_ = 0;
+    TokenLoop<Reads<EdgeToken>> token_;
+    TokenLoop<Reads<>, Writes<std::uint8_t>> output_;
 };
 
 }  // namespace faster

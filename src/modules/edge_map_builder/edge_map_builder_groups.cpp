@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 
 #include "dataflow/base/each_bit.hpp"
@@ -20,26 +19,12 @@ void EdgeMapBuilderVariant::build_of_groups() {
         clock_.advance(1);
         return;
     }
-    clock_.enter_loop(token_loop_);
     watched_.enter();
-    while (take_groups(current)) {
-    }
-    clock_.leave_loop();
-}
-
-/// Works off the tokens at hand. True until the end has been read.
-bool EdgeMapBuilderVariant::take_groups(PixelGroup& current) {
-    std::size_t const available = std::min<std::size_t>(edge_groups_->peek(), waits_for_writes_ ? 1 : ~std::size_t{0});
-    PixelGroup const* const next = edge_groups_->front();
-    std::size_t taken = 0;
-    while (taken < available && !ends_sample(current)) {
+    group_.run_while([&](PixelGroup const& next) {
         take_group(current);
-        current = next[taken++];
-    }
-    clock_.await_writes(token_loop_);
-    clock_.iterate(edge_groups_->read_port(), taken);
-    edge_groups_->consume(taken);
-    return !ends_sample(current);
+        current = next;
+        return !ends_sample(current);
+    });
 }
 
 void EdgeMapBuilderVariant::take_group(PixelGroup const& group) {
@@ -53,9 +38,9 @@ void EdgeMapBuilderVariant::take_group(PixelGroup const& group) {
         maps_->take(tokens[0], &tokens[1], count);
         return;
     }
-    watch_.next_iteration();
+    watched_.watch().next_iteration();
     for (unsigned i = 0; i < count; ++i)
-        maps_->take_watched(tokens[i], watch_);
+        maps_->take_watched(tokens[i], watched_.watch());
 }
 
 }  // namespace faster

@@ -1,6 +1,5 @@
 #include "modules/edge_map_builder/edge_map_builder_variant.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "faster/config/clear_design.hpp"
@@ -13,15 +12,10 @@
 
 namespace faster {
 
-namespace {
-bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
-}  // namespace
-
-bool EdgeMapBuilderVariant::is_needed(AcceleratorConfig const& config, Machine const& machine) {
-    std::size_t const token_loop = machine.loop(machine.process("edge_map_builder"), "token");
+bool EdgeMapBuilderVariant::is_needed(AcceleratorConfig const& config) {
     return config.edge_map.algorithm != EdgeMapAlgorithm::dual_map || config.edge_map.clearing != MapClearing::loop ||
            has_map_buffers(config, true).holds || config.rasterizer.lanes > 1 || config.inlier_unit.sweep_lanes > 1 ||
-           sweeps_touched_region(config).holds || machine.loops[token_loop].has_interlocks();
+           sweeps_touched_region(config).holds;
 }
 
 ModuleDescription EdgeMapBuilderVariant::describe(AcceleratorConfig const& config) {
@@ -59,11 +53,9 @@ void EdgeMapBuilderVariant::end_of_elaboration() {
     edge_groups_ = channel_of(edge_token_in.groups);
     map_free_ = channel_of(map_free_in);
     map_full_ = channel_of(map_full_out);
-    clear_loop_ = clock_.loop("clear");
-    token_loop_ = clock_.loop("token");
-    watch_ = {clock_.write_distances("token", "edge_map"), clock_.write_distances("token", "object_map")};
-    watched_.watch(watch_);
-    waits_for_writes_ = clock_.has_interlocks(token_loop_);
+    token_.connect(clock_, "token", edge_token_);
+    group_.connect(clock_, "token", edge_groups_);
+    watched_.watch({clock_.write_distances("token", "edge_map"), clock_.write_distances("token", "object_map")});
     if (ClockedFifo<std::uint8_t>* const edge_map = channel_of(edge_map_out); edge_map != nullptr)
         read_out_.connect(*edge_map);
 }
@@ -99,12 +91,7 @@ void EdgeMapBuilderVariant::hand_over() {
 
 void EdgeMapBuilderVariant::clear() {
     maps_->clear();
-    std::size_t const iterations = edge_clear_iterations(core_.config, core_.stimulus.window);
-    if (iterations == 0)
-        return;
-    clock_.enter_loop(clear_loop_);
-    clock_.iterate(timing::no_ports, iterations);
-    clock_.leave_loop();
+    clock_.pipeline("clear", edge_clear_iterations(core_.config, core_.stimulus.window));
 }
 
 void EdgeMapBuilderVariant::build() {
@@ -115,62 +102,10 @@ void EdgeMapBuilderVariant::build() {
         clock_.advance(1);
         return;
     }
-    clock_.enter_loop(token_loop_);
     watched_.enter();
-    while (take_tokens(current)) {
-    }
-    clock_.leave_loop();
-}
-
-/// Works off the tokens at hand. Every iteration that consumes `current` reads the next token in its step, so that the
-/// loop knows the end token one iteration early. True until it has been read.
-bool EdgeMapBuilderVariant::take_tokens(EdgeToken& current) {
-    std::size_t const available = edge_token_->peek();
-    EdgeToken const* const next = edge_token_->front();
-    std::size_t const end = static_cast<std::size_t>(std::find_if(next, next + available, is_end) - next);
-    std::size_t taken = 0;
-    std::size_t const most_at_once = waits_for_writes_ ? 1 : timing::Operation::longest_mix;
-    while (taken < end) {
-        auto const count = static_cast<unsigned>(std::min(end - taken, most_at_once));
-        take_some(current, next + taken, count);
-        taken += count;
-    }
-    if (end < available) {
-        take_last(current);
-        taken += 1;
-    }
-    edge_token_->consume(taken);
-    return end == available;
-}
-
-/// The iterations of `current` and of all but the last of `next`, told to the clock together: a bit each that says
-/// whether a second one followed.
-void EdgeMapBuilderVariant::take_some(EdgeToken& current, EdgeToken const* next, unsigned count) {
-    std::uint32_t const seconds = watched_.take(*maps_, current, next, count);
-    current = next[count - 1];
-    if (waits_for_writes_)
-        tell_one(seconds != 0);
-    else
-        clock_.iterate_mixed(edge_token_->read_port(), count, seconds);
-}
-
-/// An iteration, and a second one, each of which may wait for what others write.
-void EdgeMapBuilderVariant::tell_one(bool second) {
-    clock_.await_writes(token_loop_, second);
-    clock_.iterate(edge_token_->read_port(), 1);
-    if (!second)
-        return;
-    clock_.await_writes(token_loop_);
-    clock_.iterate(timing::no_ports, 1);
-}
-
-/// The last token before the end: its second iteration only runs if the configuration says so.
-void EdgeMapBuilderVariant::take_last(EdgeToken const& current) {
-    bool const second = watched_.take_last(*maps_, current, core_.config.edge_map.flush_last);
-    if (waits_for_writes_)
-        tell_one(second);
-    else
-        clock_.iterate(edge_token_->read_port(), 1, second ? 1 : 0);
+    token_.run_mixed([&](unsigned most, EdgeToken const* next) {
+        return watched_.take(*maps_, current, next, most, core_.config.edge_map.flush_last);
+    });
 }
 
 /// The pixels that leave.

@@ -1,9 +1,9 @@
 #pragma once
 #include <systemc>
 
-#include "channels/clocked_fifo.hpp"
 #include "channels/pixels_fifo.hpp"
 #include "channels/port_binding.hpp"
+#include "channels/token_loop.hpp"
 #include "faster/data/buffer_tokens.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
@@ -15,7 +15,7 @@
 namespace faster {
 
 /// What keys make of the EdgeMapBuilder: other algorithms, tokens of several pixels, other ways to clear, the touched
-/// region, iterations that wait for writes. Ports and time are the EdgeMapBuilder's, but for:
+/// region. Ports and time are the EdgeMapBuilder's, but for:
 ///   in    edge_token_in  groups of covered pixels with several `rasterizer.lanes`. sweep_region touched: after End the
 ///                        corners of the touched region
 ///   out   edge_map_out   the bits of the region, `sweep_lanes` bits of a row per token
@@ -31,7 +31,7 @@ class EdgeMapBuilderVariant : public sc_core::sc_module {
     OptionalFifoOut<std::uint8_t> edge_map_out{"edge_map_out"};  ///< bound with one buffer
 
     /// Whether a core takes more than the EdgeMapBuilder.
-    static bool is_needed(AcceleratorConfig const& config, Machine const& machine);
+    static bool is_needed(AcceleratorConfig const& config);
     static ModuleDescription describe(AcceleratorConfig const& config);
 
     SC_HAS_PROCESS(EdgeMapBuilderVariant);
@@ -42,12 +42,7 @@ class EdgeMapBuilderVariant : public sc_core::sc_module {
     void run();
     void clear();
     void build();
-    bool take_tokens(EdgeToken& current);
-    void take_some(EdgeToken& current, EdgeToken const* next, unsigned count);
-    void tell_one(bool second);
-    void take_last(EdgeToken const& current);
     void build_of_groups();
-    bool take_groups(PixelGroup& current);
     void take_group(PixelGroup const& group);
     PixelBox turn_to_output();
     Corners read_region();
@@ -64,11 +59,9 @@ class EdgeMapBuilderVariant : public sc_core::sc_module {
     ClockedFifo<PixelGroup>* edge_groups_ = nullptr;
     ClockedFifo<BufferNumber>* map_free_ = nullptr;  ///< two buffers
     ClockedFifo<FullMaps>* map_full_ = nullptr;      ///< two buffers
-    unsigned clear_loop_ = 0;
-    unsigned token_loop_ = 0;
+    TokenLoop<Reads<EdgeToken>> token_;
+    TokenLoop<Reads<PixelGroup>> group_;  ///< the same loop
     WatchedMaps watched_;
-    datapath::MapWatch watch_;       ///< the one of watched_
-    bool waits_for_writes_ = false;  ///< iterations of the token loop for each other's: they are told one by one
 };
 
 }  // namespace faster

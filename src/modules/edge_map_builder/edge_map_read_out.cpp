@@ -18,30 +18,22 @@ LoopDescription EdgeMapReadOut::described_loop(AcceleratorConfig const& config) 
     return touch_maps(loop_of(builder, "output"), output_touches(config.edge_map), config.inlier_unit.sweep_lanes);
 }
 
-void EdgeMapReadOut::connect(ClockedFifo<std::uint8_t>& out) {
-    out_ = &out;
-    loop_ = clock_.loop("output");
-}
+void EdgeMapReadOut::connect(ClockedFifo<std::uint8_t>& out) { output_.connect(clock_, "output", &out); }
 
 void EdgeMapReadOut::send(datapath::EdgeMapPolicy const& maps, LaneRows const& rows) {
-    constexpr std::size_t burst = 1024;
     if (rows.tokens() == 0) {
         clock_.advance(1);
         return;
     }
-    clock_.enter_loop(loop_);
+    output_.enter();
     clock_.iterate(timing::no_ports, maps.rows_read_ahead() * rows.tokens_per_row());
-    for (std::size_t done = 0; done < rows.tokens();) {
-        LaneRows::Run const run = rows.run(done, std::min(burst, rows.tokens() - done));
-        out_->await_room();
-        std::uint8_t* const bits = out_->reserve(run.tokens);
+    output_.take(rows.tokens(), [&](std::size_t first, std::size_t most, std::uint8_t* bits) {
+        LaneRows::Run const run = rows.run(first, most);
         std::copy_n(maps.edge() + run.first_pixel, run.pixels, bits);
         std::fill(bits + run.pixels, bits + run.tokens * rows.lanes(), std::uint8_t{0});
-        out_->commit(run.tokens);
-        clock_.iterate(out_->write_port(), run.tokens);
-        done += run.tokens;
-    }
-    clock_.leave_loop();
+        return run.tokens;
+    });
+    output_.leave();
 }
 
 }  // namespace faster

@@ -1,5 +1,5 @@
 #pragma once
-#include "channels/clocked_fifo.hpp"
+#include "channels/token_loop.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
 #include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
@@ -24,8 +24,7 @@ class EdgeMapReadOut {
   private:
     CoreContext const& core_;
     ProcessClock& clock_;
-    ClockedFifo<std::uint8_t>* out_ = nullptr;
-    unsigned loop_ = 0;
+    TokenLoop<Reads<>, Writes<std::uint8_t>> output_;
 };
 
 }  // namespace faster

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+
+#include "channels/token_loop.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
@@ -6,17 +9,39 @@
 namespace faster {
 
 /// What tokens do to the maps of an algorithm, told to those who want to know which words that accesses: mostly nobody.
-/// Per sample: enter(); take(); take_last(), unless there are no tokens.
+/// Per sample: enter(); take() until the last, unless there are no tokens.
 class WatchedMaps {
   public:
     void watch(datapath::MapWatch const& watch) { watch_ = watch; }
     bool is_watched() const { return watch_.edge_map != nullptr || watch_.object_map != nullptr; }
+    datapath::MapWatch const& watch() const { return watch_; }
 
     void enter() { watch_.enter(); }
 
+    /// Iterations of the token loop: each takes `current` and reads the one behind it, of which `most` are at hand, so
+    /// that the loop knows the end token one iteration early. Then the second iteration of the last token never runs,
+    /// unless `flush_last` says so.
+    template <class Maps>
+    MixedIterations take(Maps& maps, EdgeToken& current, EdgeToken const* next, unsigned most, bool flush_last) const {
+        auto const before_end = static_cast<unsigned>(std::find_if(next, next + most, is_end) - next);
+        std::uint32_t seconds = 0;
+        if (before_end > 0) {
+            seconds = take_all(maps, current, next, before_end);
+            current = next[before_end - 1];
+        }
+        if (before_end == most)
+            return {most, seconds, false};
+        watch_.next_iteration();
+        std::uint32_t const last = maps.take_last_watched(current, flush_last, watch_) ? 1 : 0;
+        return {before_end + 1, seconds | last << before_end, true};
+    }
+
+  private:
+    static bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
+
     /// Takes `current`, and all but the last of the `count` tokens of `next`: EdgeMapPolicy::take().
     template <class Maps>
-    std::uint32_t take(Maps& maps, EdgeToken const& current, EdgeToken const* next, unsigned count) const {
+    std::uint32_t take_all(Maps& maps, EdgeToken const& current, EdgeToken const* next, unsigned count) const {
         if (!is_watched())
             return maps.take(current, next, count);
         std::uint32_t seconds = 0;
@@ -26,12 +51,7 @@ class WatchedMaps {
         }
         return seconds;
     }
-    template <class Maps> bool take_last(Maps& maps, EdgeToken const& current, bool flush_last) const {
-        watch_.next_iteration();
-        return maps.take_last_watched(current, flush_last, watch_);
-    }
 
-  private:
     datapath::MapWatch watch_;
 };
 

@@ -48,17 +48,10 @@ InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& c
 
 void InlierUnit::end_of_elaboration() {
     clock_.connect_all();
-    fragment_depth_ = &channel_of(fragment_depth_in);
-    fragment_index_ = &channel_of(fragment_index_in);
-    command_ = &channel_of(command_in);
-    edge_map_ = &channel_of(edge_map_in);
-    observed_depth_ = &channel_of(observed_depth_in);
-    observed_edge_ = &channel_of(observed_edge_in);
-    fragment_ports_ = fragment_depth_->read_port() | fragment_index_->read_port() | command_->read_port();
-    sweep_ports_ = edge_map_->read_port() | observed_depth_->read_port() | observed_edge_->read_port();
-    clear_loop_ = clock_.loop("clear");
-    fragment_loop_ = clock_.loop("fragment");
-    sweep_loop_ = clock_.loop("sweep");
+    fragment_.connect(clock_, "fragment", &channel_of(fragment_depth_in), &channel_of(fragment_index_in),
+                      &channel_of(command_in));
+    sweep_.connect(clock_, "sweep", &channel_of(edge_map_in), &channel_of(observed_depth_in),
+                   &channel_of(observed_edge_in));
     watcher_ = clock_.write_distances("fragment", "depth_buffer");
 }
 
@@ -80,9 +73,7 @@ void InlierUnit::run() {
 
 void InlierUnit::clear() {
     std::fill(depth_buffer_.begin(), depth_buffer_.end(), far_depth_code);
-    clock_.enter_loop(clear_loop_);
-    clock_.iterate(timing::no_ports, depth_buffer_.size());
-    clock_.leave_loop();
+    clock_.pipeline("clear", depth_buffer_.size());
 }
 
 void InlierUnit::draw_triangles() {
@@ -107,40 +98,25 @@ Command InlierUnit::draw_fragments(std::uint64_t reciprocal, Command command) {
         clock_.advance(1);
         return command;
     }
-    clock_.enter_loop(fragment_loop_);
-    if (watcher_ != nullptr)
-        watcher_->enter();
-    while (command == Command::Fragment) {
-        std::size_t const at_hand = std::min({fragment_depth_->peek(), fragment_index_->peek(), command_->peek()});
-        FragmentBurst const fragments{fragment_depth_->front(), fragment_index_->front(), command_->front(), at_hand,
-                                      reciprocal};
-        std::size_t const taken = with_watcher(watcher_, [&](auto& watcher) {
-            return fragments.draw(depth_unit_, depth_buffer_.data(), static_cast<unsigned>(core_.stimulus.window),
-                                  command, counters_.valid_raster, watcher);
+    FragmentDrawing const fragments{depth_unit_, depth_buffer_.data(), static_cast<unsigned>(core_.stimulus.window),
+                                    reciprocal};
+    with_watcher(watcher_, [&](auto& watcher) {
+        watcher.enter();
+        fragment_.run_while([&](std::int64_t z_sum, FragmentIndex const& pixel, Command next) {
+            watcher.next_iteration();
+            counters_.valid_raster += fragments.draw(z_sum, pixel, watcher) ? 1U : 0U;
+            command = next;
+            return next == Command::Fragment;
         });
-        clock_.iterate(fragment_ports_, taken);
-        fragment_depth_->consume(taken);
-        fragment_index_->consume(taken);
-        command_->consume(taken);
-    }
-    clock_.leave_loop();
+    });
     return command;
 }
 
 void InlierUnit::sweep() {
-    clock_.enter_loop(sweep_loop_);
-    for (std::size_t done = 0; done < depth_buffer_.size();) {
-        std::size_t const left = depth_buffer_.size() - done;
-        std::size_t const n = std::min({left, edge_map_->peek(), observed_depth_->peek(), observed_edge_->peek()});
-        window_sweep_.sweep(done, n, depth_buffer_.data(), edge_map_->front(), observed_depth_->front(),
-                            observed_edge_->front(), counters_);
-        clock_.iterate(sweep_ports_, n);
-        edge_map_->consume(n);
-        observed_depth_->consume(n);
-        observed_edge_->consume(n);
-        done += n;
-    }
-    clock_.leave_loop();
+    sweep_.run(depth_buffer_.size(), [&](std::size_t first, std::size_t count, std::uint8_t const* edge,
+                                         std::uint16_t const* observed_depth, std::uint8_t const* observed_edge) {
+        window_sweep_.sweep(first, count, depth_buffer_.data(), edge, observed_depth, observed_edge, counters_);
+    });
 }
 
 }  // namespace faster

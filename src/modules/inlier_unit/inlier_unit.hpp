@@ -2,13 +2,13 @@
 #include <systemc>
 #include <vector>
 
-#include "channels/clocked_fifo.hpp"
+#include "channels/token_loop.hpp"
 #include "faster/data/token_fields.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
 #include "modules/core/depth.hpp"
-#include "modules/inlier_unit/fragment_burst.hpp"
+#include "modules/inlier_unit/fragment_drawing.hpp"
 #include "modules/inlier_unit/window_sweep.hpp"
 
 namespace faster {
@@ -49,17 +49,8 @@ class InlierUnit : public sc_core::sc_module {
     datapath::WindowSweep window_sweep_;
     std::vector<std::uint16_t> depth_buffer_;
     SampleCounters counters_;
-    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;
-    ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
-    ClockedFifo<Command>* command_ = nullptr;
-    ClockedFifo<std::uint8_t>* edge_map_ = nullptr;
-    ClockedFifo<std::uint16_t>* observed_depth_ = nullptr;
-    ClockedFifo<std::uint8_t>* observed_edge_ = nullptr;
-    timing::Ports fragment_ports_;
-    timing::Ports sweep_ports_;
-    unsigned clear_loop_ = 0;
-    unsigned fragment_loop_ = 0;
-    unsigned sweep_loop_ = 0;
+    TokenLoop<Reads<std::int64_t, FragmentIndex, Command>> fragment_;
+    TokenLoop<Reads<std::uint8_t, std::uint16_t, std::uint8_t>> sweep_;
     WriteDistances* watcher_ = nullptr;  ///< of what fragments access: see with_watcher()
 };
 

@@ -14,14 +14,12 @@
 
 namespace faster {
 
-bool InlierUnitVariant::is_needed(AcceleratorConfig const& config, Machine const& machine) {
+bool InlierUnitVariant::is_needed(AcceleratorConfig const& config) {
     InlierUnitConfig const& own = config.inlier_unit;
-    std::size_t const fragment_loop = machine.loop(machine.process("inlier_unit"), "fragment");
     return config.rasterizer.lanes > 1 || own.sweep_lanes > 1 || has_depth_buffers(config, true).holds ||
            sweeps_touched_region(config).holds || extracts_edges(config).holds || contour_has_depth(config) ||
            own.clearing != MapClearing::loop || own.fragment_loop != FragmentLoop::per_triangle ||
-           own.neighbour_access != NeighbourAccess::direct || counts_hidden(own) ||
-           machine.loops[fragment_loop].has_interlocks();
+           own.neighbour_access != NeighbourAccess::direct || counts_hidden(own);
 }
 
 ModuleDescription InlierUnitVariant::describe(AcceleratorConfig const& config) {
@@ -54,25 +52,18 @@ InlierUnitVariant::InlierUnitVariant(sc_core::sc_module_name const& name, CoreCo
 
 void InlierUnitVariant::end_of_elaboration() {
     clock_.connect_all();
-    area_reciprocal_ = &channel_of(area_reciprocal_in);
-    fragment_depth_ = channel_of(fragment_depth_in.pixels);
     fragment_index_ = channel_of(fragment_index_in.pixels);
-    depth_groups_ = channel_of(fragment_depth_in.groups);
     index_groups_ = channel_of(fragment_index_in.groups);
-    command_ = &channel_of(command_in);
     result_ = channel_of(result_out);
     depth_full_ = channel_of(depth_full_out);
     depth_free_ = channel_of(depth_free_in);
-    clear_loop_ = clock_.loop("clear");
-    fragment_loop_ = clock_.loop("fragment");
+    ClockedFifo<Command>* const command = &channel_of(command_in);
+    triangle_.connect(clock_, "fragment", &channel_of(area_reciprocal_in), command);
+    fragment_.connect(clock_, "fragment", channel_of(fragment_depth_in.pixels), fragment_index_, command);
+    group_.connect(clock_, "fragment", channel_of(fragment_depth_in.groups), index_groups_, command);
     distances_ = clock_.write_distances("fragment", "depth_buffer");
-    if (clock_.has_interlocks(fragment_loop_))
-        most_at_once_ = 1;
     if (result_ != nullptr)  // otherwise the sweep is another process's
         scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
-    triangle_ports_ = area_reciprocal_->read_port() | command_->read_port();
-    fragment_ports_ =
-        fragment_depth_in.channel()->read_port() | fragment_index_in.channel()->read_port() | command_->read_port();
 }
 
 void InlierUnitVariant::run() {
@@ -113,11 +104,7 @@ void InlierUnitVariant::clear() {
     bool const is_clear = iterations == 0 && core_.sweeps_touched();  // of what was in the region: Scoring
     if (!is_clear)
         std::fill(depth_buffer_->begin(), depth_buffer_->end(), far_depth_code);
-    if (iterations == 0)
-        return;
-    clock_.enter_loop(clear_loop_);
-    clock_.iterate(timing::no_ports, iterations);
-    clock_.leave_loop();
+    clock_.pipeline("clear", iterations);
 }
 
 void InlierUnitVariant::draw_triangles() {
@@ -143,9 +130,8 @@ Command InlierUnitVariant::draw_fragments(std::uint64_t reciprocal, Command comm
         return command;
     }
     enter_fragment_loop();
-    while (command == Command::Fragment)
-        take_fragments(reciprocal, command);
-    clock_.leave_loop();
+    take_fragments(reciprocal, command);
+    fragment_.leave();
     return command;
 }
 
@@ -164,47 +150,45 @@ void InlierUnitVariant::draw_in_one_loop() {
         else
             take_fragments(reciprocal, command);
     }
-    clock_.leave_loop();
+    fragment_.leave();
 }
 
 void InlierUnitVariant::enter_fragment_loop() {
-    clock_.enter_loop(fragment_loop_);
+    fragment_.enter();
     if (distances_ != nullptr)
         distances_->enter();
 }
 
 void InlierUnitVariant::take_triangle(std::uint64_t& reciprocal, Command& command) {
-    area_reciprocal_->peek();
-    command_->peek();
-    reciprocal = *area_reciprocal_->front();
-    command = *command_->front();
-    clock_.iterate(triangle_ports_, 1);
-    if (distances_ != nullptr)
-        distances_->next_iteration();
-    area_reciprocal_->consume(1);
-    command_->consume(1);
+    triangle_.take_while([&](std::uint64_t area_reciprocal, Command next) {
+        if (distances_ != nullptr)
+            distances_->next_iteration();
+        reciprocal = area_reciprocal;
+        command = next;
+        return false;
+    });
 }
 
+/// While `command`, which is read one ahead, is Fragment.
 void InlierUnitVariant::take_fragments(std::uint64_t reciprocal, Command& command) {
-    if (fragment_depth_ == nullptr)
-        return take_groups(reciprocal, command);
-    std::size_t const drawn = draw_burst(reciprocal, command);
-    clock_.await_writes(fragment_loop_);
-    clock_.iterate(fragment_ports_, drawn);
-    fragment_depth_->consume(drawn);
-    fragment_index_->consume(drawn);
-    command_->consume(drawn);
-}
-
-/// Draws the fragments at hand, and returns their number.
-std::size_t InlierUnitVariant::draw_burst(std::uint64_t reciprocal, Command& command) {
-    std::size_t const at_hand =
-        std::min({fragment_depth_->peek(), most_at_once_, fragment_index_->peek(), command_->peek()});
-    FragmentBurst const fragments{fragment_depth_->front(), fragment_index_->front(), command_->front(), at_hand,
-                                  reciprocal};
-    return with_watcher(distances_, [&](auto& watcher) {
-        return fragments.draw(depth_unit_, depth_buffer_->data(), static_cast<unsigned>(core_.stimulus.window), command,
-                              counters_.valid_raster, watcher);
+    FragmentDrawing const fragments{depth_unit_, depth_buffer_->data(), static_cast<unsigned>(core_.stimulus.window),
+                                    reciprocal};
+    with_watcher(distances_, [&](auto& watcher) {
+        auto const go_on = [&](unsigned drawn, Command next) {
+            counters_.valid_raster += drawn;
+            command = next;
+            return next == Command::Fragment;
+        };
+        if (index_groups_ == nullptr)
+            fragment_.take_while([&](std::int64_t z_sum, FragmentIndex const& pixel, Command next) {
+                watcher.next_iteration();
+                return go_on(fragments.draw(z_sum, pixel, watcher) ? 1 : 0, next);
+            });
+        else
+            group_.take_while([&](DepthGroup const& depths, PixelGroup const& pixels, Command next) {
+                watcher.next_iteration();
+                return go_on(fragments.draw_group(depths, pixels, watcher), next);
+            });
     });
 }
 

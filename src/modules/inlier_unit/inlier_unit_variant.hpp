@@ -1,21 +1,21 @@
 #pragma once
 #include <systemc>
 
-#include "channels/clocked_fifo.hpp"
 #include "channels/pixels_fifo.hpp"
+#include "channels/token_loop.hpp"
 #include "faster/data/buffer_tokens.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
 #include "modules/core/depth.hpp"
 #include "modules/inlier_unit/depth_buffers.hpp"
-#include "modules/inlier_unit/fragment_burst.hpp"
+#include "modules/inlier_unit/fragment_drawing.hpp"
 #include "modules/inlier_unit/scoring.hpp"
 
 namespace faster {
 
 /// What keys make of the InlierUnit: fragments of several pixels, one loop for all of a sample's, other ways to clear
-/// and to sweep, the touched region, extracted edges, iterations that wait for writes, hidden pixels. Ports and time
+/// and to sweep, the touched region, extracted edges, hidden pixels. Ports and time
 /// are the InlierUnit's, but for:
 ///   in    fragment_index_in  sweep_region touched: after the fragments the corners of the touched region
 ///         edge_map_in        unbound in flow fpga_grip
@@ -40,7 +40,7 @@ class InlierUnitVariant : public sc_core::sc_module {
     OptionalFifoOut<FullDepthBuffer> depth_full_out{"depth_full_out"};  ///< bound with two buffers
 
     /// Whether a core takes more than the InlierUnit.
-    static bool is_needed(AcceleratorConfig const& config, Machine const& machine);
+    static bool is_needed(AcceleratorConfig const& config);
     static ModuleDescription describe(AcceleratorConfig const& config);
 
     SC_HAS_PROCESS(InlierUnitVariant);
@@ -56,12 +56,6 @@ class InlierUnitVariant : public sc_core::sc_module {
     void take_triangle(std::uint64_t& reciprocal, Command& command);
     void take_fragments(std::uint64_t reciprocal, Command& command);
     Command draw_fragments(std::uint64_t reciprocal, Command command);
-    std::size_t draw_burst(std::uint64_t reciprocal, Command& command);
-    void take_groups(std::uint64_t reciprocal, Command& command);
-    std::size_t draw_groups(std::uint64_t reciprocal, Command& command);
-    template <class Distances>
-    unsigned draw_group(Distances& distances, std::uint64_t reciprocal, DepthGroup const& depths,
-                        PixelGroup const& pixels);
     PixelBox turn_to_sweep();
     Corners read_region();
     FragmentIndex read_corner();
@@ -76,22 +70,16 @@ class InlierUnitVariant : public sc_core::sc_module {
     std::vector<std::uint16_t>* depth_buffer_ = nullptr;  ///< of the sample at hand
     Scoring scoring_;                                     ///< one buffer
     SampleCounters counters_;
-    ClockedFifo<std::uint64_t>* area_reciprocal_ = nullptr;
-    ClockedFifo<std::int64_t>* fragment_depth_ = nullptr;  ///< null: fragments come in groups
+    // Loop `fragment`, by what an iteration takes.
+    TokenLoop<Reads<std::uint64_t, Command>> triangle_;
+    TokenLoop<Reads<std::int64_t, FragmentIndex, Command>> fragment_;
+    TokenLoop<Reads<DepthGroup, PixelGroup, Command>> group_;
     ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;
-    ClockedFifo<DepthGroup>* depth_groups_ = nullptr;
-    ClockedFifo<PixelGroup>* index_groups_ = nullptr;
-    ClockedFifo<Command>* command_ = nullptr;
+    ClockedFifo<PixelGroup>* index_groups_ = nullptr;     ///< null: fragments come one by one
     ClockedFifo<SampleCounters>* result_ = nullptr;       ///< one buffer
     ClockedFifo<BufferNumber>* depth_free_ = nullptr;     ///< two buffers
     ClockedFifo<FullDepthBuffer>* depth_full_ = nullptr;  ///< two buffers
-    timing::Ports triangle_ports_;
-    timing::Ports fragment_ports_;
-    unsigned clear_loop_ = 0;
-    unsigned fragment_loop_ = 0;
-    WriteDistances* distances_ = nullptr;  ///< told what the fragment loop does; mostly null
-    /// Iterations that are told together: one, if they wait for each other's writes.
-    std::size_t most_at_once_ = ~std::size_t{0};
+    WriteDistances* distances_ = nullptr;                 ///< told what the fragment loop does; mostly null
 };
 
 }  // namespace faster

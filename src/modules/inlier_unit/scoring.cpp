@@ -61,14 +61,7 @@ Scoring::Scoring(CoreContext const& core, ProcessClock& clock)
 
 void Scoring::connect(ClockedFifo<std::uint8_t>* edge_map, ClockedFifo<std::uint16_t>& observed_depth,
                       ClockedFifo<std::uint8_t>& observed_edge) {
-    edge_map_ = edge_map;
-    observed_depth_ = &observed_depth;
-    observed_edge_ = &observed_edge;
-    timing::Ports const edge_port = edge_map_ != nullptr ? edge_map_->read_port() : timing::Ports();
-    ports_ = edge_port | observed_depth.read_port() | observed_edge.read_port();
-    loop_ = clock_.loop("sweep");
-    if (edge_extractor_)
-        edge_extractor_->connect();
+    sweep_.connect(clock_, "sweep", edge_map, &observed_depth, &observed_edge);
 }
 
 /// In a region nothing is known of the rest of the window: its valid depths come to the host another way.
@@ -100,30 +93,21 @@ void Scoring::forget(std::vector<std::uint16_t>& depth_buffer, PixelBox const& b
 
 void Scoring::sweep(std::vector<std::uint16_t> const& depth_buffer, LaneRows const& rows, SampleCounters& counters) {
     SweepDesign const design = sweep_design(core_.config);
-    clock_.enter_loop(loop_);
+    sweep_.enter();
     clock_.iterate(timing::no_ports, design.lead(rows.tokens_per_row()));
-    for (std::size_t done = 0; done < rows.tokens();) {
-        std::size_t n = rows.tokens() - done;
-        if (edge_map_ != nullptr)
-            n = std::min(n, edge_map_->peek());
-        n = std::min(n, observed_depth_->peek());
-        n = std::min(n, observed_edge_->peek());
-        LaneRows::Run const run = rows.run(done, n);
-        std::uint8_t const* const edge =
-            edge_map_ != nullptr ? edge_map_->front() : edge_extractor_->edges() + run.first_pixel;
-        window_sweep_.sweep(run.first_pixel, run.pixels, depth_buffer.data(), edge, observed_depth_->front(),
-                            observed_edge_->front(), counters);
+    sweep_.take(rows.tokens(), [&](std::size_t first, std::size_t most, std::uint8_t const* edge,
+                                   std::uint16_t const* observed_depth, std::uint8_t const* observed_edge) {
+        LaneRows::Run const run = rows.run(first, most);
+        if (edge_extractor_)
+            edge = edge_extractor_->edges() + run.first_pixel;
+        window_sweep_.sweep(run.first_pixel, run.pixels, depth_buffer.data(), edge, observed_depth, observed_edge,
+                            counters);
         if (hidden_sweep_)
-            hidden_sweep_->sweep(run.first_pixel, run.pixels, depth_buffer.data(), observed_depth_->front(), counters);
-        clock_.iterate(ports_, run.tokens);
-        if (edge_map_ != nullptr)
-            edge_map_->consume(run.tokens);
-        observed_depth_->consume(run.tokens);
-        observed_edge_->consume(run.tokens);
-        done += run.tokens;
-    }
+            hidden_sweep_->sweep(run.first_pixel, run.pixels, depth_buffer.data(), observed_depth, counters);
+        return run.tokens;
+    });
     clock_.iterate(timing::no_ports, design.tail(rows.tokens_per_row()));
-    clock_.leave_loop();
+    sweep_.leave();
 }
 
 }  // namespace faster

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "channels/clocked_fifo.hpp"
+#include "channels/token_loop.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
@@ -43,11 +43,7 @@ class Scoring {
     datapath::WindowSweep window_sweep_;
     std::optional<datapath::HiddenSweep> hidden_sweep_;  ///< inlier_unit.hidden counted
     std::optional<EdgeExtractor> edge_extractor_;        ///< flow fpga_grip
-    ClockedFifo<std::uint8_t>* edge_map_ = nullptr;      ///< null: edges are extracted
-    ClockedFifo<std::uint16_t>* observed_depth_ = nullptr;
-    ClockedFifo<std::uint8_t>* observed_edge_ = nullptr;
-    timing::Ports ports_;
-    unsigned loop_ = 0;
+    TokenLoop<Reads<std::uint8_t, std::uint16_t, std::uint8_t>> sweep_;
 };
 
 }  // namespace faster

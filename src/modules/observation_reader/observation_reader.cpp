@@ -67,7 +67,11 @@ ObservationReader::ObservationReader(sc_core::sc_module_name const& name, CoreCo
 
 void ObservationReader::end_of_elaboration() {
     clock_.connect_all();
-    read_loop_ = clock_.loop("read");
+    read_.connect(clock_, "read", &channel_of(observed_depth_out), &channel_of(observed_edge_out));
+    if (core_.config.memory_placement.observation == Placement::external)
+        read_.also_accesses(clock_.memory_port());
+    table_read_.connect(clock_, "read");
+    table_read_.also_accesses(clock_.memory_port());
 }
 
 void ObservationReader::run() {
@@ -100,9 +104,7 @@ void ObservationReader::send_valid_depth(std::size_t i) {
     SampleInput const& sample = core_.sample(i);
     if (clock_.uses_memory())
         clock_.tell_entry(table_entry(core_.config.memory_placement, i, core_.stimulus, sample));
-    clock_.enter_loop(read_loop_);
-    clock_.iterate(clock_.memory_port(), reads);
-    clock_.leave_loop();
+    table_read_.run(reads, [](std::size_t /*first*/, std::size_t /*count*/) {});
     clock_.here();
     valid_depth_out->write(valid_depth_->count(core_.window_offset(sample.centre_row),
                                                core_.window_offset(sample.centre_col), core_.stimulus.window));
@@ -118,34 +120,25 @@ void ObservationReader::send_pixels(SampleHeader const& header, LaneRows const& 
         clock_.advance(1);
         return;
     }
-    auto& depth = channel_of(observed_depth_out);
-    auto& edge = channel_of(observed_edge_out);
-    bool const is_external = core_.config.memory_placement.observation == Placement::external;
-    timing::Ports const ports =
-        depth.write_port() | edge.write_port() | (is_external ? clock_.memory_port() : timing::no_ports);
-    std::size_t const tokens = rows.tokens_per_row();
     std::int64_t const first_row = core_.window_offset(header.centre_row) + static_cast<std::int64_t>(rows.first_row());
     std::int64_t const first_col = core_.window_offset(header.centre_col);
-    clock_.enter_loop(read_loop_);
-    for (std::int64_t row = first_row; row < first_row + static_cast<std::int64_t>(rows.rows()); ++row) {
-        depth.await_room();
-        edge.await_room();
-        copy_row(core_.stimulus.observed_depth, row, first_col, rows, depth.reserve(tokens));
-        copy_row(core_.stimulus.observed_edges, row, first_col, rows, edge.reserve(tokens));
-        depth.commit(tokens);
-        edge.commit(tokens);
-        clock_.iterate(ports, tokens);
-    }
-    clock_.leave_loop();
+    read_.enter();
+    for (std::int64_t row = first_row; row < first_row + static_cast<std::int64_t>(rows.rows()); ++row)
+        read_.take(rows.tokens_per_row(),
+                   [&](std::size_t first, std::size_t count, std::uint16_t* depth, std::uint8_t* edge) {
+                       auto const col = static_cast<std::int64_t>(rows.first_col() + first * rows.lanes());
+                       std::size_t const pixels = count * rows.lanes();
+                       copy_row(core_.stimulus.observed_depth, row, first_col, col, pixels, depth);
+                       copy_row(core_.stimulus.observed_edges, row, first_col, col, pixels, edge);
+                   });
+    read_.leave();
 }
 
-/// One row of the window, or its part, in whole tokens; what lies outside the image or the window reads as 0.
+/// Pixels of a row of the window, from column `begin` of it on; what lies outside the image or the window reads as 0.
 /// `first_col`: of the window.
 template <class Pixel>
 void ObservationReader::copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col,
-                                 LaneRows const& rows, Pixel* out) const {
-    auto const begin = static_cast<std::int64_t>(rows.first_col());
-    std::size_t const pixels = rows.tokens_per_row() * rows.lanes();
+                                 std::int64_t begin, std::size_t pixels, Pixel* out) const {
     std::int64_t const end = std::min<std::int64_t>(core_.stimulus.window, begin + static_cast<std::int64_t>(pixels));
     std::int64_t const from = std::clamp<std::int64_t>(-first_col, begin, end);
     std::int64_t const to = std::clamp<std::int64_t>(image.width() - first_col, from, end);

@@ -2,8 +2,8 @@
 #include <optional>
 #include <systemc>
 
-#include "channels/clocked_fifo.hpp"
 #include "channels/port_binding.hpp"
+#include "channels/token_loop.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
@@ -42,13 +42,15 @@ class ObservationReader : public sc_core::sc_module {
     PixelBox receive_region();
     void send_pixels(SampleHeader const& header, LaneRows const& rows);
     template <class Pixel>
-    void copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col, LaneRows const& rows,
-                  Pixel* out) const;
+    void copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col, std::int64_t begin,
+                  std::size_t pixels, Pixel* out) const;
 
     CoreContext const& core_;
     ProcessClock clock_;
     std::optional<datapath::ValidDepthTable> valid_depth_;  ///< sweep_region touched
-    unsigned read_loop_ = 0;
+    // Loop `read`, by what an iteration accesses.
+    TokenLoop<Reads<>, Writes<std::uint16_t, std::uint8_t>> read_;
+    TokenLoop<Reads<>> table_read_;
 };
 
 }  // namespace faster

@@ -47,7 +47,8 @@ VertexTransform::VertexTransform(sc_core::sc_module_name const& name, CoreContex
 
 void VertexTransform::end_of_elaboration() {
     clock_.connect_all();
-    vertex_loop_ = clock_.loop("vertex");
+    vertex_.connect(clock_, "vertex", &channel_of(vertex_out));
+    vertex_.also_accesses(clock_.memory_port());
 }
 
 void VertexTransform::run() {
@@ -74,20 +75,10 @@ TriangleCode const* VertexTransform::triangles_of(SampleHeader const& header) {
 }
 
 void VertexTransform::send(TriangleCode const* triangles, std::size_t count) {
-    constexpr std::size_t burst = 256;  // triangles
-    auto& vertices = channel_of(vertex_out);
-    clock_.enter_loop(vertex_loop_);
-    for (std::size_t done = 0; done < count;) {
-        std::size_t const n = std::min(burst, count - done);
-        vertices.await_room();
-        VertexCode* out = vertices.reserve(3 * n);
-        for (std::size_t i = 0; i < n; ++i)
-            out = std::copy_n(triangles[done + i].vertex, 3, out);
-        vertices.commit(3 * n);
-        clock_.iterate(vertices.write_port() | clock_.memory_port(), 3 * n);
-        done += n;
-    }
-    clock_.leave_loop();
+    vertex_.run(3 * count, [&](std::size_t first, std::size_t n, VertexCode* out) {
+        for (std::size_t i = first; i < first + n; ++i)
+            *out++ = triangles[i / 3].vertex[i % 3];
+    });
 }
 
 }  // namespace faster

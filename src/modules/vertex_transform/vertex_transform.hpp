@@ -1,7 +1,7 @@
 #pragma once
 #include <systemc>
 
-#include "channels/clocked_fifo.hpp"
+#include "channels/token_loop.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
@@ -36,7 +36,7 @@ class VertexTransform : public sc_core::sc_module {
     ProcessClock clock_;
     datapath::VertexTransformer transformer_;
     std::vector<TriangleCode> triangles_;
-    unsigned vertex_loop_ = 0;
+    TokenLoop<Reads<>, Writes<VertexCode>> vertex_;
 };
 
 }  // namespace faster

@@ -1,5 +1,3 @@
-#include <array>
-
 #include "dataflow/base/each_bit.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/edge_map_builder/edge_map_builder_variant.hpp"
@@ -28,19 +26,17 @@ void EdgeMapBuilderVariant::build_of_groups() {
 }
 
 void EdgeMapBuilderVariant::take_group(PixelGroup const& group) {
-    std::array<EdgeToken, most_scan_lanes> tokens;
-    unsigned count = 0;
-    for_each_bit(group.mask, [&](unsigned lane) {
-        tokens[count++] = {group.row, static_cast<std::int16_t>(group.col + static_cast<int>(lane)),
-                           EdgeTokenKind::Object};
-    });
     if (!watched_.is_watched()) {
-        maps_->take(tokens[0], &tokens[1], count);
+        for_each_run(group.mask, [&](unsigned first, unsigned end) {
+            maps_->take_run(group.row, group.col + static_cast<int>(first), group.col + static_cast<int>(end), true);
+        });
         return;
     }
     watched_.watch().next_iteration();
-    for (unsigned i = 0; i < count; ++i)
-        maps_->take_watched(tokens[i], watched_.watch());
+    for_each_bit(group.mask, [&](unsigned lane) {
+        auto const col = static_cast<std::int16_t>(group.col + static_cast<int>(lane));
+        maps_->take_watched({group.row, col, EdgeTokenKind::Object}, watched_.watch());
+    });
 }
 
 }  // namespace faster

@@ -16,13 +16,17 @@ class TouchedBox {
     void clear() { *this = TouchedBox(window_, margin_, window_ + margin_); }
 
     /// Relative to the window.
-    void add(int row, int col) {
-        if (!is_near(row) || !is_near(col))
+    void add(int row, int col) { add_run(row, col, col); }
+    /// Pixels of a row, both columns included.
+    void add_run(int row, int first_col, int last_col) {
+        int const first = std::max(first_col, -margin_);
+        int const last = std::min(last_col, window_ + margin_ - 1);
+        if (row < -margin_ || row >= window_ + margin_ || first > last)
             return;
         first_row_ = std::min(first_row_, row);
         last_row_ = std::max(last_row_, row);
-        first_col_ = std::min(first_col_, col);
-        last_col_ = std::max(last_col_, col);
+        first_col_ = std::min(first_col_, first);
+        last_col_ = std::max(last_col_, last);
     }
 
     PixelBox box() const {
@@ -35,7 +39,6 @@ class TouchedBox {
   private:
     TouchedBox(int window, int margin, int beyond)
         : window_(window), margin_(margin), first_row_(beyond), first_col_(beyond) {}
-    bool is_near(int coordinate) const { return coordinate >= -margin_ && coordinate < window_ + margin_; }
 
     int window_;
     int margin_;

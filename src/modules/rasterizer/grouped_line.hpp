@@ -18,43 +18,50 @@ class GroupedLine {
           row_(line.row - row_offset),
           col_offset_(col_offset),
           lanes_(lanes),
-          run_begin_(group_at(line.before)) {}
+          run_first_(col(line.before)),
+          run_last_(col(line.before + line.inside - 1)),
+          run_begin_(group_of(run_first_)),
+          run_end_(group_of(run_last_)) {}
 
     bool is_empty() const { return line_.inside == 0; }
-    int groups() const { return distance(0, line_.pixels() - 1); }
+    int groups() const { return std::abs(group_at(line_.pixels() - 1) - group_at(0)) + 1; }
     /// Groups without a covered pixel, then those with one, then others; of a line with a covered pixel.
     int before() const { return std::abs(run_begin_ - group_at(0)); }
-    int inside() const { return distance(line_.before, line_.before + line_.inside - 1); }
+    int inside() const { return std::abs(run_end_ - run_begin_) + 1; }
     int after() const { return groups() - before() - inside(); }
+
+    int row() const { return row_; }
+    /// Of the covered pixels.
+    int first_col() const { return std::min(run_first_, run_last_); }
+    int last_col() const { return std::max(run_first_, run_last_); }
 
     /// The i-th group with a covered pixel.
     PixelGroup pixels(int i) const {
-        int const first = first_col(i);
-        int const ends[]{col(line_.before), col(line_.before + line_.inside - 1)};
-        int const from = std::max(std::min(ends[0], ends[1]) - first, 0);
-        int const to = std::min(std::max(ends[0], ends[1]) - first, lanes_ - 1);
+        int const first = group_col(i);
+        int const from = std::max(first_col() - first, 0);
+        int const to = std::min(last_col() - first, lanes_ - 1);
         auto const mask = static_cast<std::uint32_t>((std::uint64_t{2} << to) - (std::uint64_t{1} << from));
         return {static_cast<std::int16_t>(row_), static_cast<std::int16_t>(first), mask};
     }
     DepthGroup depths(int i) const {
         std::int64_t const per_column = line_.step * line_.z_sum_per_step;
-        return {line_.z_sum + (first_col(i) - col(line_.before)) * per_column, per_column};
+        return {line_.z_sum + (group_col(i) - run_first_) * per_column, per_column};
     }
 
   private:
     int col(int pixel) const { return line_.col(pixel) - col_offset_; }
-    int group_at(int pixel) const {
-        int const at = col(pixel);
-        return (at >= 0 ? at : at - lanes_ + 1) / lanes_;
-    }
-    int distance(int from, int to) const { return std::abs(group_at(to) - group_at(from)) + 1; }
-    int first_col(int i) const { return (run_begin_ + i * line_.step) * lanes_; }
+    int group_of(int col) const { return (col >= 0 ? col : col - lanes_ + 1) / lanes_; }
+    int group_at(int pixel) const { return group_of(col(pixel)); }
+    int group_col(int i) const { return (run_begin_ + i * line_.step) * lanes_; }
 
     ScanLine line_;
     int row_;
     int col_offset_;
     int lanes_;
-    int run_begin_;  ///< group of the first covered pixel
+    int run_first_;  ///< column of the first covered pixel, along the scan
+    int run_last_;
+    int run_begin_;  ///< groups of those
+    int run_end_;
 };
 
 }  // namespace faster::datapath

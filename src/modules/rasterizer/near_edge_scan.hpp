@@ -42,13 +42,13 @@ struct NearEdgeLine {
     }
 
   private:
-    /// Whether the stretch begins in the run of `line`; ends it where that changes.
+    /// Whether the stretch begins in the run of `line`; ends it where that changes. Without branches, which nothing
+    /// could foresee.
     static bool look(ScanLine const& line, Stretch& stretch) {
         int const run_end = line.before + line.inside;
         for (int const change : {line.before, run_end})
-            if (change > stretch.first)
-                stretch.end = std::min(stretch.end, change);
-        return stretch.first >= line.before && stretch.first < run_end;
+            stretch.end = std::min(stretch.end, change > stretch.first ? change : stretch.end);
+        return ((stretch.first >= line.before) & (stretch.first < run_end)) != 0;
     }
 };
 

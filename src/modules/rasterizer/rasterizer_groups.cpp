@@ -1,11 +1,14 @@
-#include "dataflow/base/each_bit.hpp"
+#include <algorithm>
+
 #include "faster/dataflow_names.hpp"
 #include "modules/rasterizer/rasterizer_scan.hpp"
 
 namespace faster {
 
-/// Several pixels of a row per iteration. Only covered pixels are told of; a group without one is silent.
-template <class Lines, bool Ahead> void RasterizerVariant::scan_groups(datapath::TriangleSetup const& setup) {
+/// Several pixels of a row per iteration. Only covered pixels are told of; a group without one is silent. Flattened, so
+/// that lines stay in registers.
+template <class Lines, bool Ahead>
+__attribute__((flatten)) void RasterizerVariant::scan_groups(datapath::TriangleSetup const& setup) {
     command_->await_room();
     depth_groups_->await_room();
     index_groups_->await_room();
@@ -42,9 +45,9 @@ void RasterizerVariant::send_group_tokens(datapath::GroupedLine const& line) {
         command[i] = Command::Fragment;
         depth[i] = line.depths(static_cast<int>(i));
         index[i] = line.pixels(static_cast<int>(i));
-        if (touched_)
-            touch(index[i]);
     }
+    if (touched_)
+        touched_->add_run(line.row(), line.first_col(), line.last_col());
     if (edge_groups_ != nullptr) {
         std::copy_n(index, count, edge_groups_->reserve(count));
         edge_groups_->append(count);
@@ -52,10 +55,6 @@ void RasterizerVariant::send_group_tokens(datapath::GroupedLine const& line) {
     command_->append(count);
     depth_groups_->append(count);
     index_groups_->append(count);
-}
-
-void RasterizerVariant::touch(PixelGroup const& group) {
-    for_each_bit(group.mask, [&](unsigned lane) { touched_->add(group.row, group.col + static_cast<int>(lane)); });
 }
 
 template void RasterizerVariant::scan_groups<datapath::ZigzagScan, false>(datapath::TriangleSetup const& setup);

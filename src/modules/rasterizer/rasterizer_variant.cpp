@@ -154,13 +154,7 @@ void RasterizerVariant::write_run(datapath::ScanLine const& line, EdgeToken cons
 }
 
 void RasterizerVariant::send_stretch(datapath::ScanLine const& line, datapath::Stretch const& stretch) {
-    for (int pixel = stretch.first; pixel < stretch.end; ++pixel) {
-        EdgeToken const token = window_.token(line.row, line.col(pixel), EdgeTokenKind::Edge);
-        if (stretch.is_inside)
-            burst_.write_fragment(line.z_sum + (pixel - line.before) * line.z_sum_per_step, {token.row, token.col});
-        if (stretch.is_near)
-            burst_.write_edge(token);
-    }
+    burst_.write_stretch(line, window_, stretch);
     if (clock_.lockstep())
         hand_over();
 }

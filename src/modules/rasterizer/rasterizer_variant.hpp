@@ -73,7 +73,6 @@ class RasterizerVariant : public sc_core::sc_module {
     void end_burst();
     void end_sample();
     void touch_written();
-    void touch(PixelGroup const& group);
     void send_region();
     void send_corner(FragmentIndex const& corner);
 

@@ -7,6 +7,7 @@
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
+#include "modules/rasterizer/near_edge_scan.hpp"
 #include "modules/rasterizer/zigzag_scan.hpp"
 
 namespace faster {
@@ -83,9 +84,28 @@ class ScanBurst {
         next_index_ = index;
         next_token_ = token;
     }
-    void write_fragment(std::int64_t z_sum, FragmentIndex const& index) {
-        *next_depth_++ = z_sum;
-        *next_index_++ = index;
+    /// Pixels of a line that are alike: fragments, if they are inside, and edge tokens, if they are near an edge.
+    void write_stretch(datapath::ScanLine const& line, WindowPlace const& window, datapath::Stretch const& stretch) {
+        auto const row = static_cast<std::int16_t>(line.row - window.row);
+        int const first = line.col(stretch.first) - window.col;
+        int const end = line.col(stretch.end) - window.col;
+        if (stretch.is_inside) {
+            std::int64_t* depth = next_depth_;
+            FragmentIndex* index = next_index_;
+            std::int64_t z_sum = line.z_sum + (stretch.first - line.before) * line.z_sum_per_step;
+            for (int col = first; col != end; col += line.step, z_sum += line.z_sum_per_step) {
+                *depth++ = z_sum;
+                *index++ = {row, static_cast<std::int16_t>(col)};
+            }
+            next_depth_ = depth;
+            next_index_ = index;
+        }
+        if (stretch.is_near) {
+            EdgeToken* token = next_token_;
+            for (int col = first; col != end; col += line.step)
+                *token++ = {row, static_cast<std::int16_t>(col), EdgeTokenKind::Edge};
+            next_token_ = token;
+        }
     }
     void write_edge(EdgeToken const& token) { *next_token_++ = token; }
 

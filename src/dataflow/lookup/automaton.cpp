@@ -117,7 +117,7 @@ Phrase::Reading Automaton::read(Group const& group, std::uint32_t frozen) {
 }
 
 std::uint64_t Automaton::fed_iterations(Group const& group) {
-    return group.fed() == 0 ? 0 : group.members()[group.supplier()].process->fed_iterations();
+    return group.fed() == 0 ? 0 : group.members()[group.supplier()].fed_iterations();
 }
 
 /// What the phrase asks of a supplier that takes from memory, and takes part.

@@ -20,7 +20,7 @@ std::uint64_t regular_supplies(Group::Member const& supplier) {
         return 0;
     Operation const& front = log.front();
     if (supplier.fed_ports != 0)
-        return supplier.process->fed_iterations();
+        return supplier.fed_iterations();
     bool const is_regular = front.kind() == Operation::Kind::iterate && front.ports() == 1U << supplier.anchor_port &&
                             front.gap() == 0 && front.tail_ports() == 0;
     return is_regular ? front.count() : 0;

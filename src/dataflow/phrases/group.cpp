@@ -84,6 +84,12 @@ Group::Group(CoreTiming& core, Lead const& lead) {
                 followers_at_[ports] |= Lanes{1} << (lane_bits * (m - 1));
 }
 
+std::uint64_t Group::Member::fed_iterations() const {
+    OperationLog const& log = process->log();
+    auto const alone = static_cast<Ports::Number>(fed_ports | (1U << anchor_port));
+    return fed_ports != 0 && !log.exhausted() && log.front().ports() == alone ? process->fed_iterations() : 0;
+}
+
 unsigned Group::other_end(unsigned member, unsigned port) const {
     Inner const& inner = fifos_[fifo_at_[member][port]];
     return inner.writer == member ? inner.reader : inner.writer;

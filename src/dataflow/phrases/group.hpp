@@ -21,7 +21,11 @@ class Group {
         Ports::Number driver_port = 0;  ///< mask: the driver's end of the anchor
         bool writes_anchor = false;
         Ports::Number inner_ports = 0;  ///< mask: ports whose FIFO has both ends in the group
-        Ports::Number fed_ports = 0;    ///< mask: what it takes from memory; see ProcessTiming::fed_iterations()
+        Ports::Number fed_ports = 0;    ///< mask: what it takes from memory; see fed_iterations()
+
+        /// ProcessTiming::fed_iterations(), if those take from memory and write the anchor, and that is all: what a
+        /// phrase can say of them is how many.
+        std::uint64_t fed_iterations() const;
     };
     struct Inner {
         FifoTiming* fifo = nullptr;

@@ -127,7 +127,7 @@ Phrase::Next Phrase::next_of(Group::Member const& member, std::size_t from) {
         return {};
     Operation const& operation = log.begin()[from];
     auto const ports = static_cast<Ports::Number>(operation.ports() & ~member.fed_ports);
-    bool const is_fed = member.fed_ports == 0 || member.process->fed_iterations() > 0;
+    bool const is_fed = member.fed_ports == 0 || member.fed_iterations() > 0;
     bool const inside = is_fed && (ports & ~member.inner_ports) == 0;
     return {inside ? ports : Ports::Number{0}, true};
 }

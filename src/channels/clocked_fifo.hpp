@@ -9,8 +9,9 @@
 namespace dataflow {
 
 /// A FIFO whose accesses take place in cycles (docs/timing-model.md#fifos). Modules use it through plain sc_fifo_in/out
-/// ports; every read() or write() is then a step of the calling process, or part of its open Step. Hot loops move
-/// bursts of tokens with peek/consume and reserve/commit instead and tell their clock what they did.
+/// ports; every read() or write() is then a step of the calling process, or part of its open Step. Loops whose every
+/// iteration accesses the same move many tokens at once: tokens_of(), TokenLoop. What those do not say moves bursts
+/// with peek/consume and reserve/commit, and tells its clock what it did.
 ///   order   first in, first out; one reader and one writer, both with a ProcessClock
 ///   time    kept by timing::FifoTiming; the tokens themselves may be in the host's hands earlier (decoupled)
 ///   width   a token may be several values side by side, its lanes; such tokens move in bursts only

@@ -35,7 +35,16 @@ void ProcessClock::require_first_stage(FifoChannel const& fifo) const {
                          std::to_string(first) + ", or take_later() in the module");
 }
 
+/// A body that is called with tokens is ahead of time.
+void ProcessClock::refuse_in_tokens_body(std::string const& what) const {
+    throw InputError("module " + timing_.name() + " accesses " + what +
+                     " in a body that is called with tokens, expected it among tokens_of(), or a body that " +
+                     "accesses all its ports itself");
+}
+
 void ProcessClock::access_closely(timing::Ports port) {
+    if (is_in_tokens_body_)
+        refuse_in_tokens_body(fifos_[port.first()]->timing().name());
     timing_.note_site(port.first(), site_);
     if (!collecting_) {
         step(port);

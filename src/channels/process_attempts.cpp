@@ -106,6 +106,8 @@ void ProcessClock::require_attempts(FifoChannel const& fifo, timing::Ports port)
 }
 
 bool ProcessClock::attempts(FifoChannel const& fifo, timing::Ports port, bool only_asks) {
+    if (is_in_tokens_body_)
+        refuse_in_tokens_body(fifo.timing().name());
     require_attempts(fifo, port);
     if (!is_pipelining_) {
         if (collecting_ && !collected_.is_empty())

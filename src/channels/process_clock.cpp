@@ -117,7 +117,7 @@ WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string
     return distances;
 }
 
-bool ProcessClock::knows_iterations(unsigned loop) const {
+bool ProcessClock::reads_first(unsigned loop) const {
     timing::LoopShape const& shape = timing_.loops()[loop];
     Cycles const latest = lockstep() ? 0 : first_stage(shape);
     return !shape.makes_attempts && std::all_of(shape.reads.begin(), shape.reads.end(),

@@ -47,16 +47,17 @@ class ProcessClock {
     std::uint64_t number(std::string_view name) const;
 
     /// Where a loop of the process tells which words of a memory its iterations access, by their names. Null if nobody
-    /// wants to know, as mostly. Once, after connect_all(). A module that asks for it calls await_writes() before it
-    /// tells the clock of an iteration of that loop.
+    /// wants to know, as mostly. Once, after connect_all(). Before an iteration of that loop is told, its TokenLoop
+    /// calls await_writes(), or the module does.
     WriteDistances* write_distances(std::string_view loop, std::string_view memory);
     /// Whether iterations of a loop may have to wait for writes (`hazards: interlock`). They are told one by one then.
     bool has_interlocks(unsigned loop) const;
-    /// Whether the module may do many iterations of a loop at once: all that they read is read before they do anything
-    /// else, and they make no attempts. In lockstep it is read in stage 0, besides.
-    bool knows_iterations(unsigned loop) const;
+    /// Whether iterations of a loop read all that they do before they do anything else, and make no attempts: then the
+    /// module may do many at once. In lockstep, in which time passes before a later stage, they read in stage 0.
+    bool reads_first(unsigned loop) const;
     bool is_pipelined(unsigned loop) const;
-    /// Errors: InputError if an iteration of a loop does not access a port besides `others`.
+    /// Errors: InputError if an iteration that accesses `others` may not access `port` as well: it is one of them, or
+    /// the loop does not name it.
     void require_access(unsigned loop, timing::Ports others, timing::Ports port) const;
     /// The next iteration to be told waits for the writes of others that it must not overtake: those that its loop's
     /// WriteDistances have met in the iteration at hand there, or in the one before it.
@@ -168,17 +169,17 @@ class ProcessClock {
     }
     /// `count` iterations, each of which accesses the same FIFOs: `tokens` is tokens_of(ports...), and `body` is called
     /// with the tokens read, then with those to be written, and before them with the iteration's number, if it takes
-    /// one. The fast form, and no longer than the others.
+    /// one. It accesses nothing itself. The fast form, and no longer than the others.
     template <class Tokens, class Body>
     void pipeline(std::string_view loop_name, std::uint64_t count, Tokens const& tokens, Body body,
                   SourceSite site = SourceSite::here()) {
         unsigned const number = loop(loop_name);
         if (count == 0 && is_pipelined(number))
             return;
-        if (knows_iterations(number))
-            tokens.loop(*this, loop_name).run_each(count, body, site);
+        if (reads_first(number))
+            in_tokens_body([&] { tokens.loop(*this, loop_name).run_each(count, body, site); });
         else
-            pipeline(loop_name, count, tokens.by_plain_accesses(body), site);
+            pipeline(loop_name, count, tokens.by_plain_accesses(*this, body), site);
     }
     /// Of a loop whose trip count depends on what it does: as many iterations as `body` asks for, by returning true.
     template <class Body>
@@ -195,10 +196,16 @@ class ProcessClock {
     template <class Tokens, class Body>
     void pipeline_while(std::string_view loop_name, Tokens const& tokens, Body body,
                         SourceSite site = SourceSite::here()) {
-        if (knows_iterations(loop(loop_name)))
-            tokens.loop(*this, loop_name).run_while(body, site);
+        if (reads_first(loop(loop_name)))
+            in_tokens_body([&] { tokens.loop(*this, loop_name).run_while(body, site); });
         else
-            pipeline_while(loop_name, tokens.by_plain_accesses(body), site);
+            pipeline_while(loop_name, tokens.by_plain_accesses(*this, body), site);
+    }
+    /// Calls what calls bodies that access nothing themselves.
+    template <class Call> void in_tokens_body(Call call) {
+        is_in_tokens_body_ = true;
+        call();
+        is_in_tokens_body_ = false;
     }
     /// A loop in pieces, for who has no body that can be called. Iterations are numbered from 0 on.
     void open_loop(unsigned loop, SourceSite site = SourceSite::here());
@@ -229,6 +236,11 @@ class ProcessClock {
     template <class Body>
     void repeat(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
         pipeline(loop_name, count, std::move(body), site);
+    }
+    template <class Tokens, class Body>
+    void repeat(std::string_view loop_name, std::uint64_t count, Tokens const& tokens, Body body,
+                SourceSite site = SourceSite::here()) {
+        pipeline(loop_name, count, tokens, std::move(body), site);
     }
     /// All of a pipelined loop whose every iteration reads `late_fifo` in a later stage: `take` is called with the
     /// number of the iteration that has got there, and takes the token itself.
@@ -319,6 +331,8 @@ class ProcessClock {
 
     /// The calling thread is about to read a token of the FIFO. Errors: see pipeline().
     void begins_read(FifoChannel const& fifo, timing::Ports port) {
+        if (is_in_tokens_body_)
+            access_closely(port);  // which refuses it
         if (!collecting_)
             return;
         if (is_pipelining_)
@@ -365,6 +379,7 @@ class ProcessClock {
     void let_out();
 
     void access_closely(timing::Ports port);
+    [[noreturn]] void refuse_in_tokens_body(std::string const& what) const;
     void require_no_late_access(timing::LoopShape const& loop) const;
     void require_memory(unsigned port) const;
     [[noreturn]] void refuse_both(std::string const& fifo) const;
@@ -441,6 +456,7 @@ class ProcessClock {
     SoundAccesses sound_;
     std::uint32_t open_ = 0;  // sound accesses that the iteration at hand has not made yet
     timing::Ports taken_;     // read by plain ports in the step or iteration at hand
+    bool is_in_tokens_body_ = false;
     bool is_pipelining_ = false;
     bool is_plain_ = false;      // it has nothing to do between its iterations but to tell of them, in one log
     bool is_held_ = false;       // in lockstep, the process goes no further than the module has got,

@@ -53,6 +53,8 @@ void ProcessClock::tell_ranges(std::vector<Range> const& ranges) {
 }
 
 void ProcessClock::access_memory() {
+    if (is_in_tokens_body_)
+        refuse_in_tokens_body("memory");
     if (!uses_memory())
         return;
     require_memory(timing_.stream_port());

@@ -3,13 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 
 #include "channels/port_binding.hpp"
+#include "dataflow/base/input_error.hpp"
 
 namespace dataflow {
 
@@ -43,6 +43,9 @@ struct MixedIterations {
 /// Bodies of single iterations are called with the tokens read, then with those to be written, and before them with the
 /// iteration's number from 0 on, if they take one. Where iterations may have to wait for writes (`hazards: interlock`),
 /// they are told one by one: what the body lets the loop's WriteDistances meet is what its iteration waits for.
+///
+/// Bodies access no FIFOs themselves, and are called ahead of time: in lockstep, too, up to `longest_burst` iterations
+/// that only write are worked out before the first takes place.
 template <class Inputs, class Outputs = Writes<>> class TokenLoop;
 
 template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...>> {
@@ -50,16 +53,17 @@ template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...
     static constexpr std::size_t longest_burst = 1024;  ///< of tokens written
     static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
-    /// Once, after the clock's connect_all(). A FIFO that is absent is null, and so are its tokens. Several may be of
-    /// one loop, where iterations differ in what they access. Errors: InputError for a FIFO that the loop does not
-    /// name, or that is there twice; std::logic_error for a loop that reads behind its first stage, or makes attempts.
+    /// Once, after the clock's connect_all(). A FIFO that is absent is null, and so are its tokens in take(). Several
+    /// may be of one loop, where iterations differ in what they access. Errors: InputError for a FIFO that the loop
+    /// does not name, or that is there twice, and for a loop of which ProcessClock::reads_first() is false.
     void connect(ProcessClock& clock, std::string_view name, ClockedFifo<In>*... in, ClockedFifo<Out>*... out) {
         clock_ = &clock;
         loop_ = clock.loop(name);
-        if (!clock.knows_iterations(loop_))
-            throw std::logic_error("the loop " + std::string(name) +
-                                   " reads behind its first stage, or makes attempts, " +
-                                   "expected ProcessClock::pipeline()");
+        if (!clock.reads_first(loop_))
+            throw InputError(
+                "loop " + clock.timing().name() + "." + std::string(name) +
+                " is told of many iterations at once, and reads a FIFO when they are under way, or makes " +
+                "attempts, expected read_stage 0, or ProcessClock::pipeline() in the module");
         in_ = {in...};
         out_ = {out...};
         ports_ = timing::no_ports;
@@ -101,11 +105,12 @@ template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...
                 }
             });
     }
-    /// `count` iterations, of each of which the body is called.
+    /// `count` iterations, of each of which the body is called. Tokens are of one value, as in take_while() and
+    /// run_mixed(): several side by side, a FIFO's lanes, are for take().
     template <class Body> void each(std::size_t count, Body body) {
         take(count, [&](std::size_t first, std::size_t n, auto*... tokens) {
             for (std::size_t i = 0; i < n; ++i)
-                call_iteration(body, first + i, tokens[i]...);
+                call_iteration(body, first + i, token_at(tokens + i)...);
         });
     }
     /// Iterations until the body, called of each, returns false.
@@ -115,7 +120,7 @@ template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...
             first += burst(no_limit, [&](std::size_t n, auto*... tokens) {
                 std::size_t done = 0;
                 for (; goes_on && done < n; ++done)
-                    goes_on = call_iteration(body, first + done, tokens[done]...);
+                    goes_on = call_iteration(body, first + done, token_at(tokens + done)...);
                 return done;
             });
     }
@@ -139,6 +144,10 @@ template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...
         clock_->require_access(loop_, ports_, port);
         ports_ = ports_ | port;
     }
+    /// To be read; or to be written, where there may be what another token has left.
+    template <class Token> static Token const& token_at(Token const* token) { return *token; }
+    template <class Token> static Token& token_at(Token* token) { return *token = Token(); }
+
     template <class Fifos, class Call> static void each_of(Fifos const& fifos, Call call) {
         std::apply([&](auto*... fifo) { ((fifo != nullptr ? call(*fifo) : void()), ...); }, fifos);
     }
@@ -159,15 +168,20 @@ template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...
         return std::apply([&](auto*... in) { return call((in != nullptr ? in->front() : nullptr)...); }, in_);
     }
 
+    template <class Call> auto with_room(std::size_t count, Call call) {
+        return std::apply([&](auto*... out) { return call((out != nullptr ? out->reserve(count) : nullptr)...); },
+                          out_);
+    }
+
     /// body(n, in..., out...) does up to n iterations, n at most `most`, and says how many. Returns that.
     template <class Body> [[gnu::always_inline]] std::size_t burst(std::size_t most, Body body) {
         std::size_t n = std::min(at_hand(), most_at_once(most));
         if constexpr (sizeof...(Out) > 0)
             n = std::min(n, longest_burst);
         each_of(out_, [](auto& fifo) { fifo.await_room(); });
-        std::size_t const done = with_tokens([&](auto const*... in) {
-            return std::apply([&](auto*... out) { return body(n, in..., out->reserve(n)...); }, out_);
-        });
+        // Room first: a FIFO that is read here as well may move its tokens for it.
+        std::size_t const done = with_room(
+            n, [&](auto*... out) { return with_tokens([&](auto const*... in) { return body(n, in..., out...); }); });
         each_of(out_, [done](auto& fifo) { fifo.commit(done); });
         clock_->await_writes(loop_);
         clock_->iterate(ports_, done);

@@ -24,12 +24,15 @@ template <class... In, class... Out> class TokenPorts<Reads<In...>, Writes<Out..
         return loop;
     }
     /// An iteration that reads the FIFOs, calls `body`, and writes them: what it returns is whether more follow.
-    template <class Body> auto by_plain_accesses(Body& body) const {
-        return [this, &body](std::uint64_t iteration) {
+    template <class Body> auto by_plain_accesses(ProcessClock& clock, Body& body) const {
+        return [this, &clock, &body](std::uint64_t iteration) {
             std::tuple<In...> in = std::apply([](auto*... fifo) { return std::tuple<In...>{fifo->read()...}; }, in_);
             std::tuple<Out...> out;
-            bool const goes_on = std::apply([&](auto&... tokens) { return go_on(body, iteration, tokens...); },
-                                            std::tuple_cat(references_to(in), references_to(out)));
+            auto const tokens = std::tuple_cat(references_to(std::as_const(in)), references_to(out));
+            bool goes_on = true;
+            clock.in_tokens_body([&] {
+                goes_on = std::apply([&](auto&... token) { return go_on(body, iteration, token...); }, tokens);
+            });
             std::apply([&](auto*... fifo) { std::apply([&](auto&... token) { (fifo->write(token), ...); }, out); },
                        out_);
             return goes_on;
@@ -37,15 +40,15 @@ template <class... In, class... Out> class TokenPorts<Reads<In...>, Writes<Out..
     }
 
   private:
-    template <class... Tokens> static std::tuple<Tokens&...> references_to(std::tuple<Tokens...>& tokens) {
-        return std::apply([](auto&... token) { return std::tuple<Tokens&...>(token...); }, tokens);
+    template <class Tokens> static auto references_to(Tokens& tokens) {
+        return std::apply([](auto&... token) { return std::tie(token...); }, tokens);
     }
     template <class Body, class... Tokens> static bool go_on(Body& body, std::uint64_t iteration, Tokens&... tokens) {
-        if constexpr (std::is_void_v<decltype(call_iteration(body, iteration, tokens...))>) {
+        if constexpr (std::is_same_v<decltype(call_iteration(body, iteration, tokens...)), bool>) {
+            return call_iteration(body, iteration, tokens...);
+        } else {
             call_iteration(body, iteration, tokens...);
             return true;
-        } else {
-            return call_iteration(body, iteration, tokens...);
         }
     }
 

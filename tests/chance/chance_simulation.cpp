@@ -109,7 +109,7 @@ class ChanceModule : public SampleModule {
     }
 
     void do_loop(Segment const& segment) {
-        if (!do_token_loop(segment))
+        if ((number_ + segment.iterations.size()) % 2 == 0 || !do_token_loop(segment))
             do_iterations(segment);
     }
     /// By tokens_of(), if every iteration accesses the same one or two FIFOs of each kind. False: it does not.
@@ -149,12 +149,7 @@ class ChanceModule : public SampleModule {
             call(std::tuple(&fifo(numbers[0]), &fifo(numbers[1])));
     }
     void use(std::size_t number, Token const& token) { take(number, token); }
-    void use(std::size_t number, Token& token) {
-        if (writes(number))
-            token = next_[number]++;
-        else
-            take(number, token);
-    }
+    void use(std::size_t number, Token& token) { token = next_[number]++; }
     void do_iterations(Segment const& segment) {
         unsigned const loop = clock_.loop(process().loops[segment.loop].name);
         clock_.pipeline(process().loops[segment.loop].name, segment.iterations.size(), [&](std::uint64_t i) {

@@ -56,6 +56,34 @@ TEST_CASE("a FIFO that an iteration accesses twice, or that its loop does not na
     check_both(pair, "module reader reads f twice in a step or an iteration of a loop, expected once");
 }
 
+TEST_CASE("a body that is called with tokens accesses nothing itself, whatever the loop") {
+    auto const refused = [](std::string const& what) {
+        return "module writer accesses " + what +
+               " in a body that is called with tokens, expected it among tokens_of(), or a body that accesses all its "
+               "ports itself";
+    };
+    Pair pair = sound_pair();
+    pair.writer.writes_to("g").of_bits(1).leaves("send", 0);
+    pair.reader.reads_from("g");
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("send", 10, token_ports(std::tuple(), std::tuple(&fifo)), [&](Token&) { fifo.write(1); });
+    };
+    check_both(pair, refused("f"));
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("send", 10, token_ports(std::tuple(), std::tuple(&fifo)),
+                       [&](Token&) { clock.access_memory(); });
+    };
+    check_both(pair, refused("memory"));
+    pair = sound_pair();
+    pair.writer.reads_from("g").taken("send", 1);  // not read first of all: by plain accesses in both engines
+    pair.reader.writes_to("g").of_bits(1);
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("send", 10, token_ports(std::tuple(), std::tuple(&fifo)),
+                       [&](Token&) { clock.access_memory(); });
+    };
+    check_both(pair, refused("memory"));
+}
+
 TEST_CASE("a token that a loop reads behind other accesses is for take_later") {
     Pair pair = sound_pair();
     pair.reader.writes_to("g").of_bits(1).leaves("receive", 0);

@@ -74,6 +74,17 @@ TEST_CASE("tokens read in a later stage, or in a loop that makes attempts, are t
     }
 }
 
+TEST_CASE("a token to be written is fresh, whatever was written before") {
+    for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
+        Pair pair = counting_pair();
+        pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+            clock.pipeline("send", tokens, into(fifo),
+                           [](std::uint64_t i, Token& token) { token += i + 1 < tokens ? 1 : static_cast<Token>(i); });
+        };
+        CHECK_THAT(outcome_of(pair, engine), Equals(outcome_of(plain_pair(), engine) + " sum 5998 of 3000"));
+    }
+}
+
 TEST_CASE("without an iteration a pipelined loop is not entered") {
     for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
         Pair pair = sound_pair();

@@ -8,7 +8,7 @@ namespace faster {
 /// Several pixels of a row per iteration. Only covered pixels are told of; a group without one is silent. Flattened, so
 /// that lines stay in registers.
 template <class Lines, bool Ahead>
-__attribute__((flatten)) void RasterizerVariant::scan_groups(datapath::TriangleSetup const& setup) {
+[[gnu::flatten]] void RasterizerVariant::scan_groups(datapath::TriangleSetup const& setup) {
     command_->await_room();
     depth_groups_->await_room();
     index_groups_->await_room();

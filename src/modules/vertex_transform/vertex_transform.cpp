@@ -1,7 +1,5 @@
 #include "modules/vertex_transform/vertex_transform.hpp"
 
-#include <algorithm>
-
 #include "channels/port_binding.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/conditions.hpp"

@@ -93,8 +93,7 @@ struct MemoryAccess {
 };
 
 /// In which stages of a loop an iteration reads and writes a memory, and how many words of it at most. A configuration
-/// may do without reads or writes: none, then. The module has to tell the words (ProcessClock::write_distances), and
-/// lets iterations wait for writes (ProcessClock::await_writes).
+/// may do without reads or writes: none, then. The module has to tell the words (ProcessClock::write_distances).
 struct MemoryStages {
     std::string memory;
     Cycles read = 0;

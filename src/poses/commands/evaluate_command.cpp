@@ -22,6 +22,7 @@
 #include "faster/workload/files/png_image.hpp"
 #include "poses/bop/read_dataset.hpp"
 #include "poses/commands/estimate_scene.hpp"
+#include "poses/commands/pose_commands.hpp"
 #include "poses/judging/accuracy_plot.hpp"
 #include "poses/judging/evaluation.hpp"
 #include "poses/judging/evaluation_json.hpp"

@@ -8,6 +8,7 @@
 #include "dataflow/base/nearest_name.hpp"
 #include "dataflow/run/config/design.hpp"
 #include "dataflow/run/config/key_builders.hpp"
+#include "dataflow/run/config/key_names.hpp"
 
 namespace dataflow {
 namespace {

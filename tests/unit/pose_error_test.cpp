@@ -7,7 +7,7 @@
 
 #include "dataflow/base/random.hpp"
 #include "faster/dataflow_names.hpp"
-#include "poses/judging/judge.hpp"
+#include "poses/judging/model_symmetries.hpp"
 #include "support/bop_folder.hpp"
 
 namespace pose_error_test {

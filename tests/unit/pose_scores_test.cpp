@@ -8,6 +8,7 @@
 #include "faster/dataflow_names.hpp"
 #include "poses/judging/bootstrap.hpp"
 #include "poses/judging/judge.hpp"
+#include "poses/judging/matching.hpp"
 #include "poses/judging/scores.hpp"
 
 namespace pose_scores_test {

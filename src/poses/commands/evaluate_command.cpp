@@ -28,6 +28,7 @@
 #include "poses/judging/evaluation_json.hpp"
 #include "poses/judging/evaluation_text.hpp"
 #include "poses/judging/judge.hpp"
+#include "poses/judging/model_symmetries.hpp"
 #include "poses/judging/scores.hpp"
 
 namespace faster {

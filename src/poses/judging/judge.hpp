@@ -11,22 +11,6 @@
 
 namespace faster::poses {
 
-/// errors[e][g]: how far estimate e is from the true pose g; the estimate with the best score first.
-using PairErrors = std::vector<std::vector<double>>;
-
-/// Which estimate is whose: one after the other, an estimate takes the nearest true pose of those that are left and
-/// nearer than `limit`. Returns the error of each true pose, infinity if none took it. As bop_toolkit does it.
-std::vector<double> matched_below(PairErrors const& errors, std::size_t truths, double limit);
-
-/// matched_below(); estimates and true poses that are left over are then matched without a limit, for the record.
-std::vector<double> matched(PairErrors const& errors, std::size_t truths, double limit);
-
-/// Everything that maps a model to itself, the identity first: its discrete symmetries (and the identity), each
-/// followed by every turn about one of its axes, in 315 steps. As bop_toolkit with max_sym_disc_step = 0.01: a point of
-/// an object of diameter d goes round in at most pi d, and 315 = ceil(pi / 0.01), so a step takes it 0.01 d at most.
-/// Older versions of the toolkit leave the unturned model out; here a perfect estimate has no error.
-std::vector<Pose> symmetries_of(bop::ObjectModel const& model);
-
 constexpr double largest_add_m = 0.1;  ///< ADD and ADD-S beyond are failures
 constexpr int recall_thresholds = 10;  ///< MSSD: 0.05, 0.10, ... 0.50 of the diameter; MSPD: 5, 10, ... 50 px
 

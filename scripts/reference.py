@@ -32,8 +32,8 @@ def headers() -> list[Path]:
             if (rooms / name).exists():
                 found += [rooms / name, *(rooms / inner for inner in included(rooms / name) if name.endswith("simple_tool.hpp"))]
     # The types of what these describe.
-    for name in ("dataflow/core/machine/module_description.hpp", "dataflow/run/config/simple_design.hpp", "channels/process_clock.hpp", "channels/tokens_of.hpp", "channels/token_loop.hpp",
-                 "hls/hls_design.hpp"):
+    for name in ("dataflow/core/machine/module_description.hpp", "dataflow/run/config/simple_design.hpp", "channels/process_clock.hpp",
+                 "channels/tokens_of.hpp", "channels/token_loop.hpp", "hls/hls_design.hpp"):
         found += sorted(rooms.rglob(Path(name).name))
     return list(dict.fromkeys(found))
 

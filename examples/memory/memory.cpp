@@ -49,8 +49,8 @@ class Doubler : public SimpleModule {
 
   private:
     void work(std::size_t /*sample*/) override {
-        clock_.pipeline("double", number("workload.numbers"),
-                        [this](std::uint64_t) { doubled_out.write(2 * loaded_in.read()); });
+        clock_.pipeline("double", number("workload.numbers"), tokens_of(loaded_in, doubled_out),
+                        [](std::uint32_t loaded, std::uint32_t& doubled) { doubled = 2 * loaded; });
     }
 };
 

@@ -55,7 +55,6 @@ class ProcessClock {
     /// Whether iterations of a loop read all that they do before they do anything else, and make no attempts: then the
     /// module may do many at once. In lockstep, in which time passes before a later stage, they read in stage 0.
     bool reads_first(unsigned loop) const;
-    bool is_pipelined(unsigned loop) const;
     /// Errors: InputError if an iteration that accesses `others` may not access `port` as well: it is one of them, or
     /// the loop does not name it.
     void require_access(unsigned loop, timing::Ports others, timing::Ports port) const;
@@ -148,7 +147,7 @@ class ProcessClock {
     template <class Body>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
         unsigned const number = loop(loop_name);
-        if (count == 0 && is_pipelined(number))
+        if (is_left_out(number, count))
             return;
         open_loop(number, site);
         for (std::uint64_t i = 0; i < count; ++i) {
@@ -161,7 +160,7 @@ class ProcessClock {
     /// `count` iterations that access nothing.
     void pipeline(std::string_view loop_name, std::uint64_t count, SourceSite site = SourceSite::here()) {
         unsigned const number = loop(loop_name);
-        if (count == 0 && is_pipelined(number))
+        if (is_left_out(number, count))
             return;
         enter_loop(number, site);
         iterate(timing::no_ports, count);
@@ -174,7 +173,7 @@ class ProcessClock {
     void pipeline(std::string_view loop_name, std::uint64_t count, Tokens const& tokens, Body body,
                   SourceSite site = SourceSite::here()) {
         unsigned const number = loop(loop_name);
-        if (count == 0 && is_pipelined(number))
+        if (is_left_out(number, count))
             return;
         if (reads_first(number))
             in_tokens_body([&] { tokens.loop(*this, loop_name).run_each(count, body, site); });
@@ -394,6 +393,8 @@ class ProcessClock {
     void require_named(unsigned loop, unsigned port) const;
     static Cycles first_stage(timing::LoopShape const& loop);
     bool is_named_by(timing::LoopShape const& loop, unsigned port) const;
+    bool is_pipelined(unsigned loop) const;
+    bool is_left_out(unsigned loop, std::uint64_t count) const { return count == 0 && is_pipelined(loop); }
     void reach(std::uint64_t iteration);
     void end_body();
     void take_before(std::uint64_t step);

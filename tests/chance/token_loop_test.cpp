@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include "chance/pair.hpp"
 
@@ -66,10 +65,10 @@ TEST_CASE("tokens read in a later stage, or in a loop that makes attempts, are t
         for (Pair* const pair : {&late, &plain})
             pair->reader.ends.front().read_stage = 2;
         CHECK_THAT(outcome_of(late, engine), Equals(outcome_of(plain, engine) + " sum 4498500 of 3000"));
-        for (Pair* const pair : {&late, &plain})
+        for (Pair* const pair : {&late, &plain}) {
             pair->writer.reads_from("g").taken("send", 0).non_blocking();
-        for (Pair* const pair : {&late, &plain})
             pair->reader.writes_to("g").of_bits(1);
+        }
         CHECK_THAT(outcome_of(late, engine), Equals(outcome_of(plain, engine) + " sum 4498500 of 3000"));
     }
 }

@@ -12,6 +12,10 @@
 
 namespace faster {
 
+namespace {
+bool ends_sample(PixelGroup const& group) { return group.mask == 0; }
+}  // namespace
+
 bool EdgeMapBuilderVariant::is_needed(AcceleratorConfig const& config) {
     return config.edge_map.algorithm != EdgeMapAlgorithm::dual_map || config.edge_map.clearing != MapClearing::loop ||
            has_map_buffers(config, true).holds || config.rasterizer.lanes > 1 || config.inlier_unit.sweep_lanes > 1 ||
@@ -105,6 +109,23 @@ void EdgeMapBuilderVariant::build() {
     watched_.enter();
     token_.run_mixed([&](unsigned most, EdgeToken const* next) {
         return watched_.take(*maps_, current, next, most, core_.config.edge_map.flush_last);
+    });
+}
+
+/// EdgeMapBuilder::build() with tokens of several pixels. inner_border alone has them, and no second iterations.
+void EdgeMapBuilderVariant::build_of_groups() {
+    clock_.here();
+    PixelGroup current = edge_groups_->read();
+    clock_.advance(1);
+    if (ends_sample(current)) {
+        clock_.advance(1);
+        return;
+    }
+    watched_.enter();
+    group_.run_while([&](PixelGroup const& next) {
+        watched_.take_group(*maps_, current);
+        current = next;
+        return !ends_sample(current);
     });
 }
 

@@ -43,7 +43,6 @@ class EdgeMapBuilderVariant : public sc_core::sc_module {
     void clear();
     void build();
     void build_of_groups();
-    void take_group(PixelGroup const& group);
     PixelBox turn_to_output();
     Corners read_region();
     FragmentIndex read_corner();

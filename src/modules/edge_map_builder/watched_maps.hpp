@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "channels/token_loop.hpp"
+#include "dataflow/base/each_bit.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
@@ -9,13 +10,10 @@
 namespace faster {
 
 /// What tokens do to the maps of an algorithm, told to those who want to know which words that accesses: mostly nobody.
-/// Per sample: enter(); take() until the last, unless there are no tokens.
+/// Per sample: enter(); take() until the last, unless there are no tokens; or take_group() for all.
 class WatchedMaps {
   public:
     void watch(datapath::MapWatch const& watch) { watch_ = watch; }
-    bool is_watched() const { return watch_.edge_map != nullptr || watch_.object_map != nullptr; }
-    datapath::MapWatch const& watch() const { return watch_; }
-
     void enter() { watch_.enter(); }
 
     /// Iterations of the token loop: each takes `current` and reads the one behind it, of which `most` are at hand, so
@@ -36,7 +34,22 @@ class WatchedMaps {
         return {before_end + 1, seconds | last << before_end, true};
     }
 
+    /// An iteration that takes object pixels of a row.
+    template <class Maps> void take_group(Maps& maps, PixelGroup const& group) const {
+        auto const col = [&group](unsigned lane) { return group.col + static_cast<int>(lane); };
+        if (!is_watched()) {
+            for_each_run(group.mask,
+                         [&](unsigned first, unsigned end) { maps.take_run(group.row, col(first), col(end), true); });
+            return;
+        }
+        watch_.next_iteration();
+        for_each_bit(group.mask, [&](unsigned lane) {
+            maps.take_watched({group.row, static_cast<std::int16_t>(col(lane)), EdgeTokenKind::Object}, watch_);
+        });
+    }
+
   private:
+    bool is_watched() const { return watch_.edge_map != nullptr || watch_.object_map != nullptr; }
     static bool is_end(EdgeToken const& token) { return token.kind == EdgeTokenKind::End; }
 
     /// Takes `current`, and all but the last of the `count` tokens of `next`: EdgeMapPolicy::take().

@@ -15,8 +15,7 @@
 namespace faster {
 
 /// What keys make of the InlierUnit: fragments of several pixels, one loop for all of a sample's, other ways to clear
-/// and to sweep, the touched region, extracted edges, hidden pixels. Ports and time
-/// are the InlierUnit's, but for:
+/// and to sweep, the touched region, extracted edges, hidden pixels. Ports and time are the InlierUnit's, but for:
 ///   in    fragment_index_in  sweep_region touched: after the fragments the corners of the touched region
 ///         edge_map_in        unbound in flow fpga_grip
 ///         edge_map_in, observed_depth_in, observed_edge_in  those of the region, `sweep_lanes` pixels of a row per

@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
 
 #include "dataflow/tools/report/html/deadlock_html.hpp"
 #include "dataflow/tools/report/html/html_report.hpp"
 #include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
 #include "support/browser.hpp"
 #include "support/example_run.hpp"
 #include "support/idle_run.hpp"
@@ -24,11 +23,7 @@ using Json = nlohmann::ordered_json;
 using Plain = nlohmann::json;
 using Words = std::vector<std::string>;
 
-std::string png_of(int side) {
-    std::vector<unsigned char> bytes;
-    cv::imencode(".png", cv::Mat(side, side, CV_8UC3, cv::Scalar(60, 120, 180)), bytes);
-    return {bytes.begin(), bytes.end()};
-}
+std::string png_of(int side) { return files::colour_png(Image<Colour>(side, side, {60, 120, 180})); }
 
 std::string example_page(std::string const& title) {
     return report::html_report({title,

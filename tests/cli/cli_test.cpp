@@ -5,8 +5,6 @@
 #include <iomanip>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -14,6 +12,7 @@
 
 #include "dataflow/base/grouped_digits.hpp"
 #include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
 #include "support/command.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
@@ -22,6 +21,8 @@ namespace cli_test {
 
 using namespace faster::test;
 using Catch::Matchers::Contains;
+using faster::Image;
+using faster::files::write_png;
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
@@ -324,17 +325,14 @@ TEST_CASE("The pictures of the first samples have their names, sizes and types")
             names.insert(sample + "_" + picture + ".png");
         for (std::string const picture : {"edges", "object"}) {
             CAPTURE(sample, picture);
-            cv::Mat const map =
-                cv::imread(workspace / ("out/images/" + sample + "_" + picture + ".png"), cv::IMREAD_UNCHANGED);
-            REQUIRE(map.type() == CV_8UC1);
-            CHECK(map.size() == cv::Size(window, window));
-            int const lit = cv::countNonZero(map == 255);
-            CHECK(lit > 0);
-            CHECK(lit + cv::countNonZero(map == 0) == window * window);
+            auto const map = faster::files::read_png8(workspace / ("out/images/" + sample + "_" + picture + ".png"));
+            CHECK((map.height() == window && map.width() == window));
+            auto const count = [&map](int grey) { return std::count(map.pixels().begin(), map.pixels().end(), grey); };
+            CHECK(count(255) > 0);
+            CHECK(count(255) + count(0) == window * window);
         }
-        cv::Mat const depth = cv::imread(workspace / ("out/images/" + sample + "_depth.png"), cv::IMREAD_UNCHANGED);
-        REQUIRE(depth.type() == CV_16UC1);
-        CHECK(depth.size() == cv::Size(window, window));
+        auto const depth = faster::files::read_png16(workspace / ("out/images/" + sample + "_depth.png"));
+        CHECK((depth.height() == window && depth.width() == window));
     }
     CHECK(workspace.tree("out/images") == names);
 }
@@ -383,11 +381,11 @@ TEST_CASE("A bad depth image is refused in one line") {
     Workspace const workspace;
     Words const own_depth = set("workload.scene.depth_image=depth.png");
     check_run_refused(workspace, own_depth, {"depth.png", "no such file"});
-    cv::imwrite(workspace / "depth.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(200)));
+    write_png(workspace / "depth.png", Image<std::uint8_t>(480, 640, 200));
     check_run_refused(workspace, own_depth, {"depth.png", "16"});
-    cv::imwrite(workspace / "depth.png", cv::Mat(240, 320, CV_16UC1, cv::Scalar(700)));
+    write_png(workspace / "depth.png", Image<std::uint16_t>(240, 320, 700));
     check_run_refused(workspace, own_depth, {"depth.png", "640", "480"});
-    cv::imwrite(workspace / "depth.png", cv::Mat(480, 640, CV_16UC1, cv::Scalar(700)));
+    write_png(workspace / "depth.png", Image<std::uint16_t>(480, 640, 700));
     require_done(workspace.run(small + own_depth));
 }
 
@@ -415,11 +413,11 @@ TEST_CASE("A bad trace is refused in one line") {
         check_refused(workspace, replay, {"triangles.csv"});
     }
     SECTION("when its depth image has 8 bits") {
-        cv::imwrite(workspace / "trace/depth.png", cv::Mat(480, 640, CV_8UC1, cv::Scalar(200)));
+        write_png(workspace / "trace/depth.png", Image<std::uint8_t>(480, 640, 200));
         check_refused(workspace, replay, {"depth.png", "16"});
     }
     SECTION("when its depth image has another size") {
-        cv::imwrite(workspace / "trace/depth.png", cv::Mat(480, 600, CV_16UC1, cv::Scalar(200)));
+        write_png(workspace / "trace/depth.png", Image<std::uint16_t>(480, 600, 200));
         check_refused(workspace, replay, {"depth.png", "640"});
     }
     SECTION("when a file is missing") {

@@ -1,11 +1,13 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fmt/format.h>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <regex>
+#include <tiffio.h>
 
 #include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
 #include "poses/bop/read_dataset.hpp"
 #include "support/bop_folder.hpp"
 #include "support/command.hpp"
@@ -18,6 +20,19 @@ using namespace faster::test;
 using Catch::Matchers::Contains;
 using Words = std::vector<std::string>;
 using Json = nlohmann::json;
+
+void write_tiff(std::string const& path, faster::Image<std::uint16_t> image) {
+    std::unique_ptr<TIFF, void (*)(TIFF*)> const file(TIFFOpen(path.c_str(), "w"), TIFFClose);
+    REQUIRE(file != nullptr);
+    TIFFSetField(file.get(), TIFFTAG_IMAGEWIDTH, image.width());
+    TIFFSetField(file.get(), TIFFTAG_IMAGELENGTH, image.height());
+    TIFFSetField(file.get(), TIFFTAG_BITSPERSAMPLE, 16);
+    TIFFSetField(file.get(), TIFFTAG_SAMPLESPERPIXEL, 1);
+    TIFFSetField(file.get(), TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    TIFFSetField(file.get(), TIFFTAG_ROWSPERSTRIP, image.height());
+    for (int row = 0; row < image.height(); ++row)
+        REQUIRE(TIFFWriteScanline(file.get(), image.row(row), static_cast<std::uint32_t>(row)) == 1);
+}
 
 /// A soup can in a small image; an estimate of it takes a tenth of a second.
 class Workspace {
@@ -253,7 +268,7 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
     SECTION("depth as TIFF, of another unit, and a confidence of 3, are said") {
         std::string const depth = (dataset / "test/000001/depth/000000").string();
         CommandResult const as_png = estimate({"--object", "1"});
-        cv::imwrite(depth + ".tif", cv::imread(depth + ".png", cv::IMREAD_UNCHANGED));
+        write_tiff(depth + ".tif", faster::files::read_png16(depth + ".png"));
         std::filesystem::remove(depth + ".png");
         CommandResult const as_tiff = estimate({"--object", "1"});
         require_done(as_tiff);

@@ -326,13 +326,15 @@ TEST_CASE("The pictures of the first samples have their names, sizes and types")
         for (std::string const picture : {"edges", "object"}) {
             CAPTURE(sample, picture);
             auto const map = faster::files::read_png8(workspace / ("out/images/" + sample + "_" + picture + ".png"));
-            CHECK((map.height() == window && map.width() == window));
+            CHECK(map.height() == window);
+            CHECK(map.width() == window);
             auto const count = [&map](int grey) { return std::count(map.pixels().begin(), map.pixels().end(), grey); };
             CHECK(count(255) > 0);
             CHECK(count(255) + count(0) == window * window);
         }
         auto const depth = faster::files::read_png16(workspace / ("out/images/" + sample + "_depth.png"));
-        CHECK((depth.height() == window && depth.width() == window));
+        CHECK(depth.height() == window);
+        CHECK(depth.width() == window);
     }
     CHECK(workspace.tree("out/images") == names);
 }

@@ -7,8 +7,8 @@
 #include "poses/bop/pose_results.hpp"
 #include "support/bop_folder.hpp"
 #include "support/command.hpp"
+#include "support/decoded_png.hpp"
 #include "support/is_instrumented.hpp"
-#include "support/png_size.hpp"
 #include "support/tool_output.hpp"
 
 namespace evaluate_test {
@@ -78,7 +78,7 @@ TEST_CASE("evaluate prints a table, and writes tables, plots and a page", "[eval
     CHECK(json["rows"][6]["scores"]["add_4cm"][0] == 100);
     CHECK(json["rows"][6]["more_than_first"]["add_2cm"][0] == -100);
     for (std::string const plot : {"accuracy_add_s.png", "accuracy_add.png"})
-        CHECK(png_size(workspace.text("out/" + plot)).first == 3 * 330);
+        CHECK(header_of_decoded(workspace.text("out/" + plot)).width == 3 * 330);
     CHECK(entries_in(workspace.work() / "out") == 7);
 }
 

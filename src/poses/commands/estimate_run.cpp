@@ -119,7 +119,7 @@ EstimateReport EstimateRun::report() const {
     report.samples = workload_of(loaded_.config).samples.count;
     report.seed = config.seed;
     report.boxes = scene_.boxes;
-    report.pose = scene_.own(estimated_pose());
+    report.pose = scene_.own(pose_);
     report.weight = estimate_.weight;
     report.runs = estimate_.runs;
     report.run = estimate_.run;
@@ -127,7 +127,7 @@ EstimateReport EstimateRun::report() const {
     report.verdict = verdict_of(scene_, estimate_.weight, estimator_of(loaded_.config));
     if (scene_.truth)
         report.truth = scene_.own(*scene_.truth);
-    report.distances = distances_from_truth(scene_, estimated_pose());
+    report.distances = distances_from_truth(scene_, pose_);
     report.iterations = rows_;
     report.host = host_of(loaded_.config);
     if (config.refine != Refinement::none)
@@ -218,7 +218,7 @@ void EstimateRun::write_pictures(std::filesystem::path const& folder) const {
         iteration.best = poses[rows_[k].best_sample];
         drawn.push_back(std::move(iteration));
     }
-    EstimatePictures(scene_.observed, accelerator_of(loaded_.config), estimated_pose()).write(folder, drawn);
+    EstimatePictures(scene_.observed, accelerator_of(loaded_.config), pose_).write(folder, drawn);
     files::write_colour_png(folder / "course.png", estimate_plots(rows_));
 }
 

@@ -58,8 +58,6 @@ class EstimateRun {
     estimation::Score score_of_mean();
     /// Nothing if there is nothing to record. What is to be in the folder in the end is written to its place there.
     std::optional<IterationRecording> recorded_iteration(io::AtomicFolder* folder) const;
-    /// Of the frame of the scene's mesh.
-    Pose const& estimated_pose() const { return pose_; }
     void add_refinement(EstimateReport& report) const;
     void set_cost(IterationRow& row, IterationCost const& cost);
     bop::PoseEstimate bop_estimate(EstimateReport const& report) const;

@@ -41,8 +41,8 @@ struct Judgement {
 
 /// Compares estimates with the dataset's targets, as BOP does: of each target's estimates, only the inst_count best by
 /// score count, and of its true poses the inst_count most visible ones, or as many as there are. `progress` is told how
-/// many targets are done. Throws InputError naming `file` and
-/// line: a matrix of a target's estimate that is no rotation; and if no estimate is of a target.
+/// many targets are done. Throws InputError naming `file` and line: a matrix of a target's estimate that is no
+/// rotation; and if no estimate is of a target.
 Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates,
                 std::filesystem::path const& file, JudgeOptions const& options,
                 std::function<void(std::size_t done, std::size_t all)> const& progress = {});

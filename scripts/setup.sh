@@ -18,7 +18,7 @@ packages=(
 for argument in "$@"; do
     case "$argument" in
         --package) packages+=(dpkg-dev help2man) ;;
-        --dev) packages+=(clang-format clang-tidy chromium strace valgrind yosys python3-matplotlib python3-pandas python3-pip
+        --dev) packages+=(clang-format clang-tidy chromium-headless-shell strace valgrind yosys python3-matplotlib python3-pandas python3-pip
             debootstrap dpkg-dev help2man lintian) ;;
         -h | --help)
             echo "usage: setup.sh [--package] [--dev]"

@@ -30,8 +30,8 @@ namespace {
     dup2(from, 3);
     dup2(to, 4);
     std::string const its_profile = "--user-data-dir=" + profile;
-    execlp("chromium", "chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-           "--remote-debugging-pipe", its_profile.c_str(), static_cast<char*>(nullptr));
+    execlp("chromium-headless-shell", "chromium-headless-shell", "--no-sandbox", "--disable-gpu",
+           "--disable-dev-shm-usage", "--remote-debugging-pipe", its_profile.c_str(), static_cast<char*>(nullptr));
     _exit(127);
 }
 

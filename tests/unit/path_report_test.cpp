@@ -13,13 +13,13 @@ using faster::test::lines_of;
 
 TEST_CASE("The critical path is told with module, loop, cause and what is to blame", "[report]") {
     std::string const text = critical_path_text(example_run());
-    CHECK(text.find("Critical path of core 1, the last to end: how its 1000000 cycles came about") !=
+    CHECK(text.find("Critical path of core 1, the last to end: how its 1,000,000 cycles came about") !=
           std::string::npos);
-    CHECK(text.find("inlier_unit.sweep           port_conflict depth_buffer          300000   30.00") !=
+    CHECK(text.find("inlier_unit.sweep           port_conflict depth_buffer         300,000   30.00") !=
           std::string::npos);
-    CHECK(text.find("rasterizer                  setup                                90000    9.00") !=
+    CHECK(text.find("rasterizer                  setup                               90,000    9.00") !=
           std::string::npos);
-    CHECK(text.find("inlier_unit.fragment        read_latency command                 10000    1.00") !=
+    CHECK(text.find("inlier_unit.fragment        read_latency command                10,000    1.00") !=
           std::string::npos);
     CHECK(critical_path_text(RunStatistics{}).empty());
 }

@@ -293,7 +293,7 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
             command.add_flag("--critical-path", request->critical_path,
                              "Trace along which operations the total comes about");
             command.add_flag("--sensitivities", request->sensitivities,
-                             "Work out what one step of each timing key changes (retimes the run about 100 times)");
+                             "Work out what one step of each timing key changes (retimes the run about 150 times)");
             add_force(command, request->force, ", or writes a waveform of more than 2 GB");
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "dataflow/base/grouped_digits.hpp"
+
 namespace dataflow::report {
 
 namespace {
@@ -22,7 +24,7 @@ void add_line(std::string& text, RunStatistics const& run, PathRow const& row) {
     std::string const cause = std::string(name_of(row.cause)) + (item.empty() ? "" : " " + item);
     std::string const place =
         machine.processes[row.module].name + (row.loop ? "." + loop_of(machine, row) : std::string());
-    fmt::format_to(std::back_inserter(text), "  {:<27} {:<28} {:>13} {:>7.2f}\n", place, cause, row.cycles,
+    fmt::format_to(std::back_inserter(text), "  {:<27} {:<28} {:>13} {:>7.2f}\n", place, cause, grouped(row.cycles),
                    100.0 * static_cast<double>(row.cycles) / static_cast<double>(run.core_cycles()));
 }
 
@@ -33,7 +35,7 @@ std::string critical_path_text(RunStatistics const& run) {
         return "";
     std::vector<PathRow> const& rows = run.critical_path->rows;
     std::string text = fmt::format("\nCritical path of core {}, the last to end: how its {} cycles came about\n",
-                                   run.critical_path->core, run.core_cycles());
+                                   run.critical_path->core, grouped(run.core_cycles()));
     text += fmt::format("  {:<27} {:<28} {:>13} {:>7}\n", "module.loop", "cause", "cycles", "%");
     for (std::size_t i = 0; i < rows.size() && i < most_rows; ++i)
         add_line(text, run, rows[i]);
@@ -41,8 +43,8 @@ std::string critical_path_text(RunStatistics const& run) {
         Cycles rest = 0;
         for (std::size_t i = most_rows; i < rows.size(); ++i)
             rest += rows[i].cycles;
-        text +=
-            fmt::format("  {:<56} {:>13}\n", fmt::format("({} more in summary.json)", rows.size() - most_rows), rest);
+        text += fmt::format("  {:<56} {:>13}\n", fmt::format("({} more in summary.json)", rows.size() - most_rows),
+                            grouped(rest));
     }
     return text;
 }

@@ -25,13 +25,6 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND faster_megabytes_of_core GREATER 1500)
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:--param=ggc-min-expand=400;--param=ggc-min-heapsize=900000>")
 endif()
 
-# Links in less than half the time.
-include(CheckLinkerFlag)
-check_linker_flag(CXX -fuse-ld=gold FASTER_HAS_GOLD)
-if(FASTER_HAS_GOLD)
-  add_link_options(-fuse-ld=gold)
-endif()
-
 find_program(FASTER_CCACHE ccache)
 if(FASTER_CCACHE)
   # ccache asks for both before it caches what includes a precompiled header.

@@ -16,21 +16,21 @@ using Words = std::vector<std::string>;
 
 namespace {
 
-/// Chromium without a window, which starts in a quarter of the time; empty if it is not installed.
-std::string chromium() {
+/// Empty if it is not installed.
+std::string path_of_chromium() {
     std::istringstream folders(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
     for (std::string folder; std::getline(folders, folder, ':');)
-        if (std::filesystem::exists(folder + "/chromium-headless-shell"))
-            return folder + "/chromium-headless-shell";
+        if (std::filesystem::exists(folder + "/" + chromium))
+            return folder + "/" + chromium;
     return "";
 }
 
 }  // namespace
 
 bool browser_is_missing() {
-    if (!chromium().empty())
+    if (!path_of_chromium().empty())
         return false;
-    WARN("skipped: chromium-headless-shell is not installed (scripts/setup.sh --dev installs it)");
+    WARN("skipped: " << chromium << " is not installed (scripts/setup.sh --dev installs it)");
     return true;
 }
 
@@ -45,7 +45,7 @@ std::string drawn_page(TempFolder const& folder, std::string const& file, Words 
                     "--user-data-dir=" + (folder / "profile").string()};
     arguments.insert(arguments.end(), options.begin(), options.end());
     arguments.insert(arguments.end(), {"--dump-dom", "file://" + (folder / file).string()});
-    CommandResult const result = run_command(chromium(), arguments, folder.path());
+    CommandResult const result = run_command(path_of_chromium(), arguments, folder.path());
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
     REQUIRE(result.err.find(":CONSOLE") == std::string::npos);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "faster/dataflow_names.hpp"
+#include "support/browser.hpp"
 
 namespace faster::test {
 
@@ -30,8 +31,8 @@ namespace {
     dup2(from, 3);
     dup2(to, 4);
     std::string const its_profile = "--user-data-dir=" + profile;
-    execlp("chromium-headless-shell", "chromium-headless-shell", "--no-sandbox", "--disable-gpu",
-           "--disable-dev-shm-usage", "--remote-debugging-pipe", its_profile.c_str(), static_cast<char*>(nullptr));
+    execlp(chromium, chromium, "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--remote-debugging-pipe",
+           its_profile.c_str(), static_cast<char*>(nullptr));
     _exit(127);
 }
 

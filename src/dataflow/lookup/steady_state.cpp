@@ -11,13 +11,22 @@ namespace {
 constexpr unsigned most_looks = 256;        // without finding a period, before giving a run up
 constexpr unsigned most_others = 16;        // that go on between two looks
 constexpr std::uint64_t most_times = 1024;  // of FIFOs, to compare at each look
+constexpr unsigned longest_pause = 15;      // of calls, where a group is not complete
+// Iterations that others must have left, or a period would hardly come again.
+constexpr std::uint32_t fewest_iterations = 16;
 
 using View = ProcessTiming::View;
 }  // namespace
 
 ProcessMask SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
-    if (given_up_[process.index()] == View(process).run() || !leads(process) || !find_group(processes))
+    if (given_up_[process.index()] == View(process).run() || !leads(process) || pauses(process))
         return 0;
+    Pause& pause = pauses_[process.index()];
+    if (!find_group(processes)) {
+        pause.left = pause.calls = std::min(2 * pause.calls + 1, longest_pause);
+        return 0;
+    }
+    pause.calls = 0;
     take(now_);
     if (looks_ > 0 && now_.relative == before_.relative && trail_remembers(before_))
         return jump(now_);
@@ -39,6 +48,14 @@ bool SteadyState::leads(ProcessTiming& process) {
     if (leader_ == &process)
         others_ = 0;
     return leader_ == &process;
+}
+
+/// Its group was not complete lately, and will hardly be in the next calls.
+bool SteadyState::pauses(ProcessTiming const& process) {
+    unsigned& left = pauses_[process.index()].left;
+    bool const pauses = left > 0;
+    left -= pauses ? 1 : 0;
+    return pauses;
 }
 
 void SteadyState::give_up() {
@@ -99,7 +116,7 @@ bool SteadyState::add_ends(ProcessTiming& member, std::deque<ProcessTiming>& pro
         if (port.neighbour == 0 || (end.writes && end.fifo->is_unlimited()))
             return false;
         ProcessTiming& other = processes[static_cast<std::size_t>(__builtin_ctzll(port.neighbour))];
-        if (!other.is_running(2) || !accesses(other, *port.fifo))
+        if (!other.is_running(fewest_iterations) || !accesses(other, *port.fifo))
             return false;
         if (std::find(group_.begin(), group_.end(), &other) == group_.end())
             group_.push_back(&other);

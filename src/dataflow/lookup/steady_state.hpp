@@ -52,6 +52,7 @@ class SteadyState {
     };
 
     bool leads(ProcessTiming& process);
+    bool pauses(ProcessTiming const& process);
     void give_up();
     bool find_group(std::deque<ProcessTiming>& processes);
     bool add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes);
@@ -83,6 +84,11 @@ class SteadyState {
     unsigned others_ = 0;                                                  // that went on since the last
     std::array<std::uint64_t, 8 * sizeof(ProcessMask)> given_up_{};        // numbers of runs, by process
     std::array<std::vector<FreeAccesses>, 8 * sizeof(ProcessMask)> free_;  // by process and port
+    struct Pause {
+        unsigned calls = 0;  ///< twice as many each time, until the group is complete
+        unsigned left = 0;
+    };
+    std::array<Pause, 8 * sizeof(ProcessMask)> pauses_{};  // by process
     Snapshot before_;
     Snapshot now_;
 };

@@ -1,9 +1,11 @@
 #include "dataflow/run/replay/retime.hpp"
 
+#include <algorithm>
 #include <memory>
-#include <numeric>
+#include <utility>
 
 #include "dataflow/base/core_share.hpp"
+#include "dataflow/base/on_threads.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/core_variant.hpp"
 #include "dataflow/run/replay/outcomes.hpp"
@@ -68,12 +70,25 @@ Cores retime_cores(ScriptedRun const& run, Following following, Machine const& m
     return cores;
 }
 
-RunStatistics retime(ScriptedRun const& run, Following following, Machine const& machine) {
-    std::vector<std::size_t> numbers(machine.cores);
-    std::iota(numbers.begin(), numbers.end(), 0U);
-    Cores const timings = retime_cores(run, following, machine, numbers, {});
+/// Each thread has some of the cores, which remember together what they have worked out.
+Cores retime_all_cores(ScriptedRun const& run, Following following, Machine const& machine, std::size_t jobs) {
+    Cores all(machine.cores);
+    jobs = std::min<std::size_t>(jobs, machine.cores);
+    on_threads(jobs, jobs, [&](std::size_t job) {
+        std::vector<std::size_t> numbers;
+        for (std::size_t core = job; core < machine.cores; core += jobs)
+            numbers.push_back(core);
+        Cores some = retime_cores(run, following, machine, numbers, {});
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            all[numbers[i]] = std::move(some[i]);
+    });
+    return all;
+}
+
+RunStatistics retime(ScriptedRun const& run, Following following, Machine const& machine, std::size_t jobs) {
+    Cores const timings = retime_all_cores(run, following, machine, jobs);
     std::vector<FinishedCore> cores;
-    for (std::size_t const k : numbers) {
+    for (std::size_t k = 0; k < timings.size(); ++k) {
         CoreShare const share = share_of(k, machine.cores, run.run().tape.samples());
         cores.push_back({share, *timings[k], run.run().counters.data() + share.first});
     }
@@ -93,17 +108,17 @@ RunStatistics retime(RecordedRun const& run, Machine const& machine) {
     return retime(ScriptedRun(run, run.lead(machine), ScriptedRun::Uses::few), machine);
 }
 
-RunStatistics retime(ScriptedRun const& run, Machine const& machine) {
+RunStatistics retime(ScriptedRun const& run, Machine const& machine, std::size_t jobs) {
     if (run.run().memory)
         return retime_together(run, machine);
-    RunStatistics statistics = retime(run, Following::scripts, machine);
+    RunStatistics statistics = retime(run, Following::scripts, machine, jobs);
     // Since when a process has waited is not always known where a script went on with operations of its left over. Only
     // reports of deadlocks tell.
     return statistics.deadlocked() ? retime_unscripted(run, machine) : statistics;
 }
 
 RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine) {
-    return retime(run, Following::logs, machine);
+    return retime(run, Following::logs, machine, 1);
 }
 
 }  // namespace dataflow::replay

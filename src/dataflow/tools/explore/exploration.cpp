@@ -246,7 +246,8 @@ std::shared_ptr<RunStatistics const> Exploration::retimed_run(Overrides const& o
         if (kept_run_.run && kept_run_.overrides == overrides)
             return kept_run_.run;
     }
-    auto run = std::make_shared<RunStatistics const>(replay::retime(scripted_, machine_of(changed(overrides))));
+    auto run = std::make_shared<RunStatistics const>(
+        replay::retime(scripted_, machine_of(changed(overrides)), jobs_or_host_cores(0)));
     std::lock_guard<std::mutex> const lock(mutex_);
     kept_run_ = {overrides, run};
     return run;

@@ -11,7 +11,7 @@ namespace {
 constexpr unsigned most_looks = 256;        // without finding a period, before giving a run up
 constexpr unsigned most_others = 16;        // that go on between two looks
 constexpr std::uint64_t most_times = 1024;  // of FIFOs, to compare at each look
-constexpr unsigned longest_pause = 15;      // of calls, where a group is not complete
+constexpr unsigned longest_pause = 15;      // of calls in which a group is not looked for
 // Iterations that others must have left, or a period would hardly come again.
 constexpr std::uint32_t fewest_iterations = 16;
 
@@ -19,14 +19,8 @@ using View = ProcessTiming::View;
 }  // namespace
 
 ProcessMask SteadyState::observe(ProcessTiming& process, std::deque<ProcessTiming>& processes) {
-    if (given_up_[process.index()] == View(process).run() || !leads(process) || pauses(process))
+    if (given_up_[process.index()] == View(process).run() || !leads(process) || !has_group(processes))
         return 0;
-    Pause& pause = pauses_[process.index()];
-    if (!find_group(processes)) {
-        pause.left = pause.calls = std::min(2 * pause.calls + 1, longest_pause);
-        return 0;
-    }
-    pause.calls = 0;
     take(now_);
     if (looks_ > 0 && now_.relative == before_.relative && trail_remembers(before_))
         return jump(now_);
@@ -48,14 +42,6 @@ bool SteadyState::leads(ProcessTiming& process) {
     if (leader_ == &process)
         others_ = 0;
     return leader_ == &process;
-}
-
-/// Its group was not complete lately, and will hardly be in the next calls.
-bool SteadyState::pauses(ProcessTiming const& process) {
-    unsigned& left = pauses_[process.index()].left;
-    bool const pauses = left > 0;
-    left -= pauses ? 1 : 0;
-    return pauses;
 }
 
 void SteadyState::give_up() {
@@ -84,6 +70,19 @@ bool SteadyState::accesses(ProcessTiming& process, FifoTiming const& fifo) {
     for (ProcessPort const& port : View(process).port_set(ports_of(process).number()))
         accesses = accesses || port.fifo == &fifo;
     return accesses;
+}
+
+/// Found now. Where it was not lately, it is looked for in some of the calls only.
+bool SteadyState::has_group(std::deque<ProcessTiming>& processes) {
+    Pause& pause = pauses_[leader_->index()];
+    if (pause.left > 0) {
+        --pause.left;
+        return false;
+    }
+    bool const found = find_group(processes);
+    pause.calls = found ? 0 : std::min(2 * pause.calls + 1, longest_pause);
+    pause.left = pause.calls;
+    return found;
 }
 
 /// The leader and all it is coupled with; false if any of them is not in a run, so that its next access is not known.

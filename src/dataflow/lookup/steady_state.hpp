@@ -52,8 +52,8 @@ class SteadyState {
     };
 
     bool leads(ProcessTiming& process);
-    bool pauses(ProcessTiming const& process);
     void give_up();
+    bool has_group(std::deque<ProcessTiming>& processes);
     bool find_group(std::deque<ProcessTiming>& processes);
     bool add_ends(ProcessTiming& member, std::deque<ProcessTiming>& processes);
     std::uint64_t free_accesses(End const& end);
@@ -85,7 +85,7 @@ class SteadyState {
     std::array<std::uint64_t, 8 * sizeof(ProcessMask)> given_up_{};        // numbers of runs, by process
     std::array<std::vector<FreeAccesses>, 8 * sizeof(ProcessMask)> free_;  // by process and port
     struct Pause {
-        unsigned calls = 0;  ///< twice as many each time, until the group is complete
+        unsigned calls = 0;  ///< twice as many each time, until the group is found
         unsigned left = 0;
     };
     std::array<Pause, 8 * sizeof(ProcessMask)> pauses_{};  // by process

@@ -463,6 +463,9 @@ TEST_CASE("Wrong usage is refused in one line") {
     check_refused(workspace, {"run", "config.yaml", "--speed", "9"}, {"--speed"});
     check_refused(workspace, {"run", "config.yaml", "--images", "2"}, {"--images", "--out"});
     check_refused(workspace, {"run", "config.yaml", "--images", "two", "--out", "out"}, {"--images"});
+    for (char const* const option : {"--trace", "--out", "--events", "--vcd", "--report"})  // as of "$UNSET"
+        check_refused(workspace, {"run", "config.yaml", option, ""}, {option, "is empty"});
+    check_refused(workspace, {"run", ""}, {"config: is empty, expected CONFIG"});
 }
 
 TEST_CASE("A negative number of pictures is refused in one line") {

@@ -473,6 +473,14 @@ TEST_CASE("estimate refuses what it cannot use in one line, and writes nothing",
     refuses({"--set", "estimator.iteration=5"}, {"estimator.iterations"});
     refuses({"-j", "0"}, {"--jobs"});
     refuses({"--bop", "nowhere", "--object", "1"}, {"nowhere"});
+    for (char const* const option : {"--scene", "--image", "--object", "--detections"})
+        refuses({option, "7"}, {option, "--bop"});
+    refuses({"--models-in", "m"}, {"--models-in", "--bop"});
+    refuses({"--iteration", "0"}, {"--iteration", "--events"});
+    refuses({"--vcd-cores", "0"}, {"--vcd-cores", "--vcd"});
+    refuses({"--set", "estimator.iterations=2", "--traces", "1,2"}, {"--traces 2", "from 0 to 1"});
+    refuses({"--set", "estimator.iterations=2", "--pictures", "9"}, {"--pictures 9", "from 0 to 1"});
+    check_bad_input(workspace.estimate({"--pictures", "0"}), {"--pictures", "--out"});
     check_bad_input(workspace.estimate({"--traces", "0"}), {"--traces", "--out"});
     check_bad_input(workspace.estimate({"--out", "config.yaml"}), {"config.yaml"});
     CHECK_FALSE(workspace.has("out"));

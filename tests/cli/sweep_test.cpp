@@ -166,7 +166,11 @@ TEST_CASE("A sweep refuses bad input with one line, before anything is made", "[
     check_bad_input(workspace.tool({"sweep", "sweep.yaml"}), {"--out DIR"});
     check_bad_input(workspace.tool({"sweep", "merge", "none", "--out", "out"}), {"none: no such folder"});
     workspace.folder().write("bad.yaml", SweepWorkspace::head() + "  - {key: workload.object, values: [none.obj]}\n");
-    check_bad_input(workspace.tool({"sweep", "bad.yaml", "--out", "out"}), {"none.obj: no such file"});
+    check_bad_input(workspace.tool({"sweep", "bad.yaml", "--out", "out"}),
+                    {"bad.yaml: point 0 (workload.object=none.obj): ", "none.obj: no such file"});
+    workspace.folder().write("bad.yaml", SweepWorkspace::head() + "  - {key: workload.object, values: [mug, mgu]}\n");
+    check_bad_input(workspace.tool({"sweep", "bad.yaml", "--out", "out"}),
+                    {"bad.yaml: point 1 (workload.object=mgu)", "did you mean mug?"});
     workspace.folder().write(
         "bad.yaml", SweepWorkspace::head() + "  - {key: accelerator.loops.rasterizer.scan.depth, values: [8, 4]}\n");
     check_bad_input(workspace.tool({"sweep", "bad.yaml", "--out", "out"}),

@@ -513,6 +513,13 @@ TEST_CASE("A run that gets stuck still leaves its waveform", "[vcd]") {
     CHECK(vcd.duration("core_0.fifo_fragment_index.full", 1) > 0);
 }
 
+TEST_CASE("A waveform of what comes after the run is empty, and that is said", "[vcd]") {
+    Waves const waves;
+    CommandResult const result = waves.run("one_triangle", {"--vcd", "a.vcd", "--vcd-from", "999999"});
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, Catch::Contains("warning: --vcd-from 999999: the run ends before"));
+}
+
 TEST_CASE("Waveform options that make no sense are refused", "[vcd]") {
     Waves const waves;
     auto const refused = [&](Words const& more, Words const& parts) {
@@ -525,6 +532,8 @@ TEST_CASE("Waveform options that make no sense are refused", "[vcd]") {
     refused({"--vcd", "a.vcd", "--vcd-samples", "x"}, {"--vcd-samples x"});
     refused({"--vcd", "a.vcd", "--vcd-samples", "0", "--vcd-from", "1"}, {"--vcd-samples", "--vcd-from"});
     refused({"--vcd", "a.vcd", "--vcd-from", "9", "--vcd-to", "8"}, {"--vcd-to 8", "--vcd-from 9"});
+    refused({"--vcd", "a.vcd", "--vcd-from", "-1"}, {"--vcd-from", "-1"});
+    refused({"--vcd", "a.vcd", "--vcd-to", "-5"}, {"--vcd-to", "-5"});
     refused({"--vcd", "a.vcd", "--vcd-modules", "inlier_unti"}, {"inlier_unti", "inlier_unit"});
     refused({"--vcd", "/proc/nowhere/a.vcd"}, {"nowhere/a.vcd", "cannot be written"});
     refused({"--timeline", "/proc/nowhere/t.json"}, {"nowhere/t.json", "cannot be written"});

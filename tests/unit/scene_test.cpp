@@ -272,6 +272,21 @@ TEST_CASE("A mesh of unconnected triangles is simplified nevertheless", "[object
     CHECK(coarse.faces.size() <= 330);
 }
 
+TEST_CASE("A mesh with all triangles around one vertex is simplified soon", "[object_mesh]") {
+    std::uint32_t const rim = 150'000;  // collapsing edges would take minutes
+    Mesh cone;
+    cone.vertices.emplace_back(0, 0, 0.1);
+    for (std::uint32_t i = 0; i < rim; ++i) {
+        double const angle = 2 * std::acos(-1.0) * i / rim;
+        cone.vertices.emplace_back(0.05 * std::cos(angle), 0.05 * std::sin(angle), 0);
+        cone.faces.push_back({0, 1 + i, 1 + (i + 1) % rim});
+    }
+    Mesh const coarse = simplified(cone, 1200);
+    CHECK(coarse.faces.size() > 100);
+    CHECK(coarse.faces.size() <= 1320);
+    CHECK(longest_side_m(coarse) == Approx(0.1).epsilon(0.02));
+}
+
 TEST_CASE("The default workload is a posed object that fits its window, with an observed scene", "[build_stimulus]") {
     WorkloadConfig const config;
     Stimulus const stimulus = build_stimulus(config, 200, {});

@@ -10,6 +10,7 @@
 #include "dataflow/base/files/output_file.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/say.hpp"
 #include "dataflow/tools/recording/fst_file.hpp"
 #include "dataflow/tools/recording/gtkwave_save.hpp"
 #include "dataflow/tools/recording/thinned_timeline.hpp"
@@ -108,18 +109,6 @@ std::vector<Recording> timeline_recordings(RecordingRequest const& request, Mach
     return recordings;
 }
 
-void refuse_without_waveform(RecordingRequest const& request) {
-    auto const refuse_if = [](bool is_given, char const* option) {
-        if (is_given)
-            throw InputError(fmt::format("{}: expected it with --vcd or --fst", option));
-    };
-    refuse_if(!request.vcd_cores.empty(), "--vcd-cores");
-    refuse_if(!request.vcd_modules.empty(), "--vcd-modules");
-    refuse_if(!request.vcd_samples.empty(), "--vcd-samples");
-    refuse_if(request.vcd_from.has_value(), "--vcd-from");
-    refuse_if(request.vcd_to.has_value(), "--vcd-to");
-}
-
 /// Those that can have files beside them, the VCD last: its save file says what values mean to both.
 std::vector<std::pair<std::filesystem::path, ValueNames>> waveforms_of(RecordingRequest const& request) {
     std::vector<std::pair<std::filesystem::path, ValueNames>> files;
@@ -159,6 +148,9 @@ Recording waveform_recording(RecordingRequest const& request, Machine const& mac
     recording.window = waveform_window(request, machine, samples);
     recording::SignalFilter const filter(request.vcd_modules, machine);
     recording.done = [&request, &machine, filter, place_of](recording::RecordedWindow const& window) {
+        if (request.vcd_from && window.to() < *request.vcd_from)
+            say_warnings(
+                {fmt::format("--vcd-from {}: the run ends before, so the waveform is empty", *request.vcd_from)});
         RecordingRequest const files = placed(request, place_of);
         write_waveform_files(files, machine, window);
         for (auto const& [file, names] : waveforms_of(files))
@@ -233,8 +225,9 @@ void add_recording_options(CLI::App& command, RecordingRequest& request) {
             ->delimiter(','),
         "GLOB,...");
     for_vcd(command.add_option("--vcd-samples", request.vcd_samples, "Only these samples, e.g. 5 or 5-7"), "RANGE");
-    for_vcd(command.add_option("--vcd-from", request.vcd_from, "First cycle"), "CYCLE");
-    for_vcd(command.add_option("--vcd-to", request.vcd_to, "Last cycle"), "CYCLE");
+    CLI::Range const cycles(Cycles{0}, Cycles{1} << 62U);  // what is below 0 becomes more than that
+    for_vcd(command.add_option("--vcd-from", request.vcd_from, "First cycle")->check(cycles), "CYCLE");
+    for_vcd(command.add_option("--vcd-to", request.vcd_to, "Last cycle")->check(cycles), "CYCLE");
     command.add_option("--timeline", request.timeline, "Write a timeline for Perfetto or chrome://tracing (JSON)")
         ->type_name("FILE")
         ->group(waveforms);
@@ -244,6 +237,18 @@ void add_recording_options(CLI::App& command, RecordingRequest& request) {
         ->check(CLI::Range(1, 1000000))
         ->group(waveforms)
         ->needs("--timeline");
+}
+
+void refuse_without_waveform(RecordingRequest const& request) {
+    auto const refuse_if = [](bool is_given, char const* option) {
+        if (is_given)
+            throw InputError(fmt::format("{}: expected it with --vcd or --fst", option));
+    };
+    refuse_if(!request.vcd_cores.empty(), "--vcd-cores");
+    refuse_if(!request.vcd_modules.empty(), "--vcd-modules");
+    refuse_if(!request.vcd_samples.empty(), "--vcd-samples");
+    refuse_if(request.vcd_from.has_value(), "--vcd-from");
+    refuse_if(request.vcd_to.has_value(), "--vcd-to");
 }
 
 void add_paths(RecordingRequest const& request, CommandPaths& paths) {

@@ -33,6 +33,9 @@ struct RecordingRequest {
 
 void add_recording_options(CLI::App& command, RecordingRequest& request);
 
+/// Where no waveform is wanted. Errors: InputError for an option that says which part of it.
+void refuse_without_waveform(RecordingRequest const& request);
+
 /// The numbers of a list such as 0,2-4, for an option. Errors: InputError for what is none, or not below `end`.
 std::vector<std::size_t> parse_numbers(char const* option, std::string const& text, std::size_t end);
 

@@ -118,6 +118,18 @@ sweeps::Shard shard_of(std::string const& text) {
     return {static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
 }
 
+/// Throws InputError: the point's configuration is not valid, or a file that it names is not there.
+sweeps::PointIdentity identity_of(std::size_t point, sweeps::Sweep const& sweep, sweeps::Identifier& identifier) {
+    LoadedConfig const loaded = sweep.configuration(point);
+    try {
+        return identifier.identity(loaded.config);
+    } catch (HostError const&) {
+        throw;
+    } catch (InputError const& error) {
+        throw sweep.error_of(point, error);
+    }
+}
+
 std::vector<sweeps::PointIdentity> identities_of(sweeps::Sweep const& sweep) {
     sweeps::Identifier identifier;
     std::vector<sweeps::PointIdentity> identities;
@@ -128,7 +140,7 @@ std::vector<sweeps::PointIdentity> identities_of(sweeps::Sweep const& sweep) {
     }
     ProgressLine progress("points read");
     for (std::size_t i = 0; i < sweep.points(); ++i) {
-        identities.push_back(identifier.identity(sweep.configuration(i).config));
+        identities.push_back(identity_of(i, sweep, identifier));
         progress.show(i + 1, sweep.points());
     }
     return identities;

@@ -84,7 +84,9 @@ class Tool {
         std::size_t chosen = 0;
         while (!app.got_subcommand(commands_[chosen].name))
             ++chosen;
-        made_by().command = command_text(*app.get_subcommand(commands_[chosen].name));
+        CLI::App const& command = *app.get_subcommand(commands_[chosen].name);
+        require_words(command);
+        made_by().command = command_text(command);
         return actions[chosen];
     }
 
@@ -97,6 +99,15 @@ class Tool {
             return;
         throw InputError(fmt::format("unknown command {}, expected one of {}{}", given, fmt::join(known, ", "),
                                      did_you_mean(given, known)));
+    }
+
+    /// An empty word is a variable of a script that was never set: not what its user left out.
+    void require_words(CLI::App const& command) const {
+        for (CLI::Option const* const option : command.get_options())
+            for (std::string const& word : option->results())
+                if (word.empty())
+                    throw InputError(fmt::format("{}: is empty, expected {} (see {} {} --help)", option->get_name(),
+                                                 option->get_type_name(), text_.name, command.get_name()));
     }
 
     std::string version() const {

@@ -1,7 +1,10 @@
 #include "modules/core/faster_design.hpp"
 
+#include <fmt/format.h>
 #include <string_view>
 
+#include "dataflow/base/nearest_name.hpp"
+#include "dataflow/run/config/config_sources.hpp"
 #include "faster/config/clear_design.hpp"
 #include "faster/config/faster_complaints.hpp"
 #include "faster/config/faster_config.hpp"
@@ -9,6 +12,8 @@
 #include "faster/config/faster_presets.hpp"
 #include "faster/data/sample_counters.hpp"
 #include "faster/workload/files/trace_manifest.hpp"
+#include "faster/workload/models/builtin_models.hpp"
+#include "faster/workload/object_mesh.hpp"
 #include "modules/core/raster_core_description.hpp"
 
 namespace faster {
@@ -25,6 +30,16 @@ std::string memory_split_by(std::string const& key) {
     return key.substr(section.size(), end - section.size());
 }
 
+/// Before anything is simulated: a sweep names a class that there is not before its first point.
+void check_object(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+    WorkloadConfig const& workload = workload_of(loaded.config);
+    std::string const& object = workload.target.object;
+    if (workload.trace.empty() && !workload::is_mesh_file(object) && !models::contains(object))
+        complaints.push_back(
+            complaint(loaded, "workload.object",
+                      fmt::format("a built-in class or a mesh file{}", did_you_mean(object, models::names()))));
+}
+
 }  // namespace
 
 std::unique_ptr<DesignConfig> FasterDesign::default_config() const { return std::make_unique<FasterConfig>(); }
@@ -36,7 +51,9 @@ CoreDescription FasterDesign::core(RunConfig const& config) const {
 }
 
 std::vector<std::string> FasterDesign::complaints(LoadedConfig const& loaded) const {
-    return faster_complaints(loaded);
+    std::vector<std::string> complaints = faster_complaints(loaded);
+    check_object(loaded, complaints);
+    return complaints;
 }
 
 IdleKeys FasterDesign::idle_keys(RunConfig const& config) const {

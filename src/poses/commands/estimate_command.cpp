@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dataflow/base/files/atomic_folder.hpp"
@@ -50,14 +51,29 @@ int estimate_all_of(EstimateRequest const& request, LoadedConfig const& loaded) 
     return estimate_all({request.bop, request.out, request.jobs, request.force}, loaded);
 }
 
+void refuse_without_what_they_need(EstimateRequest const& request, RunConfig const& config) {
+    std::uint64_t const iterations = estimator_of(config).all_iterations();
+    for (auto const& [option, chosen] : {std::pair("--pictures", &request.pictures), {"--traces", &request.traces}}) {
+        if (!chosen->empty() && request.out.empty())
+            throw InputError(fmt::format("{}: expected --out DIR as well", option));
+        for (std::uint64_t const iteration : *chosen)
+            if (iteration >= iterations)
+                throw InputError(fmt::format("{} {}: expected iterations from 0 to {} (estimator.iterations)", option,
+                                             iteration, iterations - 1));
+    }
+    if (request.recorded_iteration && !request.records())
+        throw InputError("--iteration: expected --events, --vcd, --fst or --timeline as well");
+    if (!request.recording.has_waveform())
+        refuse_without_waveform(request.recording);
+}
+
 /// Looks for an object's pose by the thesis's second stage. Throws InputError on bad input. Exit code 3 if the
 /// accelerator deadlocks.
 int estimate_pose(EstimateRequest const& request) {
     LoadedConfig const loaded = load_config(request.config, overrides_of(request));
     if (request.all)
         return estimate_all_of(request, loaded);
-    if (!request.traces.empty() && request.out.empty())
-        throw InputError("--traces: expected --out DIR as well");
+    refuse_without_what_they_need(request, loaded.config);
     if (request.records() && (request.untimed || estimator_of(loaded.config).backend == EstimatorBackend::grip))
         throw InputError("--events, --vcd and --timeline: expected neither --untimed nor the backend grip with them");
     CommandPaths paths;
@@ -106,19 +122,21 @@ Subcommand estimate_command() {
             add_overrides(command, request->overrides);
             command.add_option("--bop", request->bop.folder, "Look for an object of this dataset (BOP)")
                 ->type_name("DIR");
-            command.add_option("--scene", request->bop.scene_id, "Of the dataset")->type_name("N");
-            command.add_option("--image", request->bop.im_id, "Of the scene")->type_name("N");
-            command.add_option("--object", request->bop.obj_id, "obj_id of the object")->type_name("N");
+            command.add_option("--scene", request->bop.scene_id, "Of the dataset")->type_name("N")->needs("--bop");
+            command.add_option("--image", request->bop.im_id, "Of the scene")->type_name("N")->needs("--bop");
+            command.add_option("--object", request->bop.obj_id, "obj_id of the object")->type_name("N")->needs("--bop");
             command
                 .add_option("--detections", request->bop.detections,
                             "Boxes from this file (JSON as BOP has it) instead of the annotated ones")
-                ->type_name("FILE");
+                ->type_name("FILE")
+                ->needs("--bop");
             command.add_flag("--all", request->all,
                              "Every target of the dataset, without cycles: results.csv in the folder of --out, which "
                              "goes on where it was");
             command.add_option("--models-in", request->bop.models_in, "Unit of the dataset's meshes, m or mm (mm)")
                 ->check(CLI::IsMember({"m", "mm"}))
-                ->type_name("UNIT");
+                ->type_name("UNIT")
+                ->needs("--bop");
             add_jobs(command, request->jobs, "Threads, and simulations at once");
             command.add_option("--backend", request->backend, "accelerator or grip, for estimator.backend")
                 ->type_name("NAME");

@@ -166,10 +166,11 @@ estimation::Score EstimateRun::score_of_mean() {
 std::optional<IterationRecording> EstimateRun::recorded_iteration(io::AtomicFolder* folder) const {
     if (!request_.records())
         return std::nullopt;
-    if (request_.recorded_iteration >= scored_.size())
-        throw InputError(fmt::format("--iteration {}: expected one of the estimate's {} iterations, from 0",
-                                     request_.recorded_iteration, scored_.size()));
-    IterationRecording recording{request_.recorded_iteration, request_.events, request_.recording, request_.force};
+    std::uint64_t const iteration = request_.recorded_iteration.value_or(0);
+    if (iteration >= scored_.size())
+        throw InputError(fmt::format("--iteration {}: expected one of the estimate's {} iterations, from 0", iteration,
+                                     scored_.size()));
+    IterationRecording recording{iteration, request_.events, request_.recording, request_.force};
     if (folder != nullptr)
         for (std::string* const file :
              {&recording.events, &recording.request.vcd, &recording.request.fst, &recording.request.timeline})

@@ -44,11 +44,11 @@ void add_dram_keys(Keys& keys) {
     keys.push_back(of_time(Make::number_key(
         {key_name("dram_gb_per_s"), "GB/s", "Peak bandwidth of the memory, in 1e9 bytes per second.",
          "ZCU102, DDR4-2400"},
-        {0, 1e6, true}, [](auto& settings) -> auto& { return settings.external_memory.dram_gb_per_s; })));
+        {1e-3, 1e6}, [](auto& settings) -> auto& { return settings.external_memory.dram_gb_per_s; })));
     keys.push_back(of_time(Make::number_key(
         {key_name("dram_efficiency"), "", "Part of the peak that can be had; row misses and refresh are in it.",
          "FPT 2019"},
-        {0, 1, true}, [](auto& settings) -> auto& { return settings.external_memory.dram_efficiency; })));
+        {1e-3, 1}, [](auto& settings) -> auto& { return settings.external_memory.dram_efficiency; })));
     keys.push_back(of_time(Make::number_key(
         {key_name("read_latency_ns"), "ns",
          "From the begin of a burst at the controller to its first beat at the port.", this_project},

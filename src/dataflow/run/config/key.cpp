@@ -23,6 +23,8 @@ std::string expected_number(NumberRange const& range) {
         return range.excludes_min ? fmt::format("a number above {}", range.min)
                                   : fmt::format("a number, {} or more", range.min);
     }
+    if (range.excludes_min)
+        return fmt::format("a number above {}, up to {}", range.min, range.max);
     return fmt::format("a number from {} to {}", range.min, range.max);
 }
 
@@ -37,6 +39,8 @@ std::string number_range(NumberRange const& range) {
     if (std::isinf(range.max)) {
         return fmt::format("{} {}", range.excludes_min ? ">" : ">=", range.min);
     }
+    if (range.excludes_min)
+        return fmt::format("> {}, up to {}", range.min, range.max);
     return fmt::format("{}..{}", range.min, range.max);
 }
 

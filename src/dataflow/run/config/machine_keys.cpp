@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -325,8 +324,7 @@ Key cores_key(std::string name, std::string meaning, std::string source) {
 
 Key clock_key(std::string source) {
     return of_time(KeyMaker<MachineSettings>::number_key(
-        {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", std::move(source)},
-        {0, std::numeric_limits<double>::infinity(), true},
+        {"accelerator.clock_mhz", "MHz", "Clock that turns cycles into milliseconds.", std::move(source)}, {1e-3, 1e6},
         [](auto& settings) -> auto& { return settings.clock_mhz; }));
 }
 

@@ -55,8 +55,12 @@ LoadedConfig Sweep::configuration(std::size_t point) const {
     } catch (HostError const&) {
         throw;
     } catch (InputError const& error) {
-        throw InputError(fmt::format("{}: {}: {}", file, name_of_point(point, columns(), values(point)), error.what()));
+        throw error_of(point, error);
     }
+}
+
+InputError Sweep::error_of(std::size_t point, InputError const& error) const {
+    return InputError(fmt::format("{}: {}: {}", file, name_of_point(point, columns(), values(point)), error.what()));
 }
 
 std::string name_of_point(std::size_t point, std::vector<std::string> const& columns,

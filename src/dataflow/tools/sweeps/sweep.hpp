@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/run/config/load_config.hpp"
 
 namespace dataflow::sweeps {
@@ -38,6 +39,8 @@ struct Sweep {
     /// As `faster-sim run BASE --set ...` would resolve it: the base, then overlays, then settings, then the point's
     /// keys. Throws InputError, naming the point, if it is no valid configuration.
     LoadedConfig configuration(std::size_t point) const;
+    /// An error of a point, named.
+    InputError error_of(std::size_t point, InputError const& error) const;
 };
 
 /// Names a point in messages: "point 3 (accelerator.clock_mhz=250)".

@@ -78,20 +78,62 @@ TEST_CASE("Straight corners, points that are passed twice and holes tied to the 
     check_cover_from_all_corners(flat({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}));  // two parts that touch
 }
 
+Corners random_star(int count, std::mt19937& random) {
+    std::uniform_real_distribution<double> radius(0.05, 1);
+    Corners star;
+    for (int i = 0; i < count; ++i) {
+        double const angle = 2 * dataflow::portable::pi * i / count, length = radius(random);
+        star.emplace_back(static_cast<float>(length * std::cos(angle)), static_cast<float>(length * std::sin(angle)),
+                          0);
+    }
+    return star;
+}
+
 TEST_CASE("Stars of random corners keep their area", "[polygon_cutter]") {
     auto const seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);
-    std::uniform_real_distribution<double> radius(0.05, 1);
+    for (int round = 0; round < 100; ++round)
+        check_cover(random_star(5 + static_cast<int>(random() % 60), random));
+}
+
+TEST_CASE("Random quadrilaterals keep their area", "[polygon_cutter]") {
+    auto const seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    for (int round = 0; round < 200; ++round)
+        check_cover_from_all_corners(random_star(4, random));
+}
+
+/// The outline comes back to a corner: at once, or after a spike that is infinitely thin.
+Corners with_corners_named_twice(Corners const& corners, bool with_spikes, std::mt19937& random) {
+    Corners result;
+    for (Eigen::Vector3d const& corner : corners) {
+        result.push_back(corner);
+        if (random() % 4 > 0)
+            continue;
+        if (with_spikes)
+            result.emplace_back(corner.x() / 2, corner.y() / 2, 0);  // into the star
+        result.push_back(corner);
+    }
+    return result;
+}
+
+TEST_CASE("Corners that are named twice, and spikes, cover nothing more", "[polygon_cutter]") {
+    Corners const arms = flat({{0, 0}, {1, 0}, {1, 5}, {2, 5}, {2, 0}, {3, 0}, {3, 6}, {0, 6}});
+    for (std::size_t doubled = 0; doubled < arms.size(); ++doubled) {
+        Corners corners = arms;
+        corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(doubled), arms[doubled]);
+        CAPTURE(doubled);
+        check_cover_from_all_corners(corners);
+    }
+    auto const seed = std::random_device{}();
+    bool const with_spikes = GENERATE(false, true);
+    CAPTURE(seed, with_spikes);
+    std::mt19937 random(seed);
     for (int round = 0; round < 100; ++round) {
-        int const count = 5 + static_cast<int>(random() % 60);
-        Corners star;
-        for (int i = 0; i < count; ++i) {
-            double const angle = 2 * dataflow::portable::pi * i / count, length = radius(random);
-            star.emplace_back(static_cast<float>(length * std::cos(angle)),
-                              static_cast<float>(length * std::sin(angle)), 0);
-        }
-        check_cover(star);
+        Corners const star = random_star(5 + static_cast<int>(random() % 30), random);
+        check_cover_from_all_corners(with_corners_named_twice(star, with_spikes, random));
     }
 }
 

@@ -47,15 +47,18 @@ double turn(Eigen::Vector2d const& a, Eigen::Vector2d const& b, Eigen::Vector2d 
 /// are then relaxed for one cut, so that every polygon ends.
 class EarCutter {
   public:
-    explicit EarCutter(Points points) : points_(std::move(points)), next_(points_.size()), previous_(points_.size()) {
+    explicit EarCutter(Points points)
+        : points_(std::move(points)),
+          next_(points_.size()),
+          previous_(points_.size()),
+          is_in_the_way_(points_.size(), false) {
         std::size_t const n = points_.size();
         for (std::size_t i = 0; i < n; ++i) {
             next_[i] = (i + 1) % n;
             previous_[i] = (i + n - 1) % n;
         }
         for (std::size_t i = 0; i < n; ++i)
-            if (turn(points_[previous_[i]], points_[i], points_[next_[i]]) < 0)
-                concave_.push_back(i);
+            note(i);
     }
 
     std::vector<CornerTriple> triangles() {
@@ -65,8 +68,7 @@ class EarCutter {
         while (left > 3) {
             if (may_go(corner, rule)) {
                 cut.push_back({previous_[corner], corner, next_[corner]});
-                next_[previous_[corner]] = next_[corner];
-                previous_[next_[corner]] = previous_[corner];
+                cut_off(corner);
                 --left;
                 refused = 0;
                 rule = Rule::clear;
@@ -91,6 +93,26 @@ class EarCutter {
         any
     };
 
+    double turn_at(std::size_t corner) const {
+        return turn(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
+    }
+
+    /// Only corners that are not convex can be inside of what another cuts off. A straight one may be concave later: it
+    /// may be one of two at the same place.
+    void note(std::size_t corner) {
+        if (is_in_the_way_[corner] || turn_at(corner) > 0)
+            return;
+        is_in_the_way_[corner] = true;
+        in_the_way_.push_back(corner);
+    }
+
+    void cut_off(std::size_t corner) {
+        next_[previous_[corner]] = next_[corner];
+        previous_[next_[corner]] = previous_[corner];
+        note(previous_[corner]);  // at the foot of a spike, which is a straight corner, a convex one may be concave now
+        note(next_[corner]);
+    }
+
     bool may_go(std::size_t corner, Rule rule) const {
         Eigen::Vector2d const &a = points_[previous_[corner]], &b = points_[corner], &c = points_[next_[corner]];
         double const turned = turn(a, b, c);
@@ -98,7 +120,7 @@ class EarCutter {
             return true;
         if (turned < 0)
             return false;
-        return rule == Rule::convex || std::none_of(concave_.begin(), concave_.end(), [&](std::size_t other) {
+        return rule == Rule::convex || std::none_of(in_the_way_.begin(), in_the_way_.end(), [&](std::size_t other) {
                    Eigen::Vector2d const& point = points_[other];
                    if (point == a || point == b || point == c)
                        return false;
@@ -109,20 +131,24 @@ class EarCutter {
 
     Points points_;
     std::vector<std::size_t> next_, previous_;
-    std::vector<std::size_t> concave_;  ///< at first: cutting makes no corner concave
+    std::vector<std::size_t> in_the_way_;
+    std::vector<bool> is_in_the_way_;
 };
 
 double angle_between(Eigen::Vector3d const& a, Eigen::Vector3d const& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// At a concave corner the two sides are more than a half turn apart, measured across the diagonal.
+/// At a concave corner the two sides are more than a half turn apart, measured across the diagonal. Beside it they may
+/// be, too, where the diagonal runs outside: then one of its triangles is turned over.
 std::vector<CornerTriple> cut_quadrilateral(std::vector<Eigen::Vector3d> const& corners) {
     constexpr double half_turn = 3.14159266;  // a little more: straight corners are not concave, however they round
+    Eigen::Vector3d const normal = mean_normal(corners);
     std::size_t start = 0;
     for (std::size_t i = 4; i-- > 0;) {
         auto const side = [&](std::size_t steps) -> Eigen::Vector3d { return corners[(i + steps) % 4] - corners[i]; };
-        if (angle_between(side(1), side(2)) + angle_between(side(2), side(3)) > half_turn)
+        bool const is_inside = side(1).cross(side(2)).dot(normal) >= 0 && side(2).cross(side(3)).dot(normal) >= 0;
+        if (is_inside && angle_between(side(1), side(2)) + angle_between(side(2), side(3)) > half_turn)
             start = i;
     }
     return {{start, (start + 1) % 4, (start + 2) % 4}, {start, (start + 2) % 4, (start + 3) % 4}};

@@ -48,38 +48,15 @@ class VertexJoiner {
     std::unordered_map<Eigen::Vector3d, std::uint32_t, Hash> indices_;
 };
 
-/// Rotates triangles that begin where the one before begins. The two of a quadrilateral begin at one corner, which is
-/// the opposite one if need be.
-class Beginnings {
-  public:
-    /// `vertices`: which vertex each corner is; none: corners are their own.
-    explicit Beginnings(std::vector<std::uint32_t> const* vertices) : vertices_(vertices) {}
-
-    void part(std::vector<CornerTriple>& triples) {
-        if (triples.size() == 2) {
-            if (begins_as_last(triples[0])) {
-                std::rotate(triples[0].begin(), triples[0].begin() + 2, triples[0].end());
-                std::rotate(triples[1].begin(), triples[1].begin() + 1, triples[1].end());
-            }
-            last_ = beginning(triples[0]);
-            return;
-        }
-        for (CornerTriple& triple : triples) {
-            if (begins_as_last(triple))
-                std::rotate(triple.begin(), triple.begin() + 2, triple.end());
-            last_ = beginning(triple);
-        }
-    }
-
-  private:
-    std::size_t beginning(CornerTriple const& triple) const {
-        return vertices_ == nullptr ? triple[0] : (*vertices_)[triple[0]];
-    }
-    bool begins_as_last(CornerTriple const& triple) const { return beginning(triple) == last_; }
-
-    std::vector<std::uint32_t> const* vertices_;
-    std::size_t last_ = std::numeric_limits<std::size_t>::max();
-};
+/// Rotates triangles of a polygon that begin where the one before begins. The two of a quadrilateral begin at one
+/// corner.
+void part_beginnings(std::vector<CornerTriple>& triples) {
+    if (triples.size() == 2)
+        return;
+    for (std::size_t i = 1; i < triples.size(); ++i)
+        if (triples[i][0] == triples[i - 1][0])
+            std::rotate(triples[i].begin(), triples[i].begin() + 2, triples[i].end());
+}
 
 bool is_finite_float(double value) { return std::abs(value) <= double{std::numeric_limits<float>::max()}; }
 
@@ -97,15 +74,12 @@ void MeshBuilder::add_vertex(Eigen::Vector3d const& vertex, SayWhere const& plac
 void MeshBuilder::add_polygon(std::vector<std::uint32_t> const& corners) {
     if (corners.size() >= 3)
         corners_.insert(corners_.end(), corners.begin(), corners.end());
-    has_more_than_triangles_ |= corners.size() > 3;
     ends_.push_back(corners_.size());
 }
 
 Mesh MeshBuilder::mesh() const {
     Mesh mesh;
     VertexJoiner joiner(mesh.vertices);
-    Beginnings beginnings(shares_vertices_ ? &corners_ : nullptr);
-    bool const has_beginnings = has_more_than_triangles_ || !shares_vertices_;
     std::vector<Eigen::Vector3d> points;
     std::size_t begin = 0;
     for (std::size_t const end : ends_) {
@@ -116,11 +90,10 @@ Mesh MeshBuilder::mesh() const {
         for (std::size_t corner = first; corner < end; ++corner)
             points.push_back(position(corner));
         std::vector<CornerTriple> triples = cut_polygon(points);
+        part_beginnings(triples);
         for (CornerTriple& triple : triples)
             for (std::size_t& corner : triple)
                 corner += first;
-        if (has_beginnings)
-            beginnings.part(triples);
         for (CornerTriple const& triple : triples)
             mesh.faces.push_back({joiner.index_of(position(triple[0])), joiner.index_of(position(triple[1])),
                                   joiner.index_of(position(triple[2]))});

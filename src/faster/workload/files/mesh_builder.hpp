@@ -25,12 +25,9 @@ class MeshBuilder {
     /// Adds a polygon of corners that are or will be vertices. One of less than three has no area and is left out.
     void add_polygon(std::vector<std::uint32_t> const& corners);
 
-    /// Faces of the format name common vertices; where triangles begin, which results of a run depend on, is then
-    /// parted from face to face, not only within one: see mesh().
-    void share_vertices() { shares_vertices_ = true; }
-
     /// The triangles of all polygons in their order. Vertices of equal position are joined, those of no triangle
-    /// dropped. A triangle does not begin with the vertex that the one before begins with: it is rotated.
+    /// dropped. Triangles begin with the corner that the file has first; of a polygon of more than four corners none
+    /// begins where the one before begins.
     Mesh mesh() const;
 
   private:
@@ -39,8 +36,6 @@ class MeshBuilder {
     std::vector<Eigen::Vector3f> vertices_;
     std::vector<std::uint32_t> corners_;  ///< of all polygons
     std::vector<std::size_t> ends_;       ///< of each polygon in corners_
-    bool shares_vertices_ = false;
-    bool has_more_than_triangles_ = false;
 };
 
 }  // namespace faster::files

@@ -17,6 +17,7 @@ class OffReader {
     void read() {
         std::uint64_t const vertices = first_count();
         std::uint64_t const faces = count_in(text_.word_of_row(), "faces");
+        skip_edges();
         for (std::uint64_t i = 0; i < vertices; ++i)
             read_vertex();
         for (std::uint64_t i = 0; i < faces; ++i)
@@ -55,6 +56,16 @@ class OffReader {
         if (!count || *count < 0)
             text_.fail(fmt::format("{} as the number of {}, expected a count", shortened(word), what));
         return static_cast<std::uint64_t>(*count);
+    }
+
+    /// The number of edges, which some files leave out, and some have on a line of its own.
+    void skip_edges() {
+        if (!text_.word().empty())
+            return;
+        MeshText ahead = text_;
+        bool const is_alone = ahead.next_line_of_words() && !ahead.word().empty() && ahead.word().empty();
+        if (is_alone)
+            text_ = ahead;
     }
 
     void begin_row() {
@@ -104,7 +115,6 @@ class OffReader {
 }  // namespace
 
 void read_off(std::filesystem::path const& path, std::string_view file, MeshBuilder& mesh) {
-    mesh.share_vertices();
     OffReader(path, file, mesh).read();
 }
 

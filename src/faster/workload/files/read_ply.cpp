@@ -267,7 +267,6 @@ class PlyReader {
 }  // namespace
 
 void read_ply(std::filesystem::path const& path, std::string_view file, MeshBuilder& mesh) {
-    mesh.share_vertices();
     PlyReader(path, file, mesh).read();
 }
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "faster/dataflow_names.hpp"
@@ -58,6 +59,18 @@ class Workspace {
     TempFolder work_;
     BopFolder dataset_;
 };
+
+TEST_CASE("Nothing is judged in an image of which the camera is not known", "[evaluate]") {
+    for (auto const& [from, to] : std::map<std::string, std::string>{{"\"cam_K\": [", "\"cam_K\": [-"},
+                                                                     {"cam_K", "cam_model"},
+                                                                     {"\"depth_scale\": 0.1", "\"depth_scale\": 0"}}) {
+        Workspace const workspace;
+        workspace.dataset().replace("test/000001/scene_camera.json", from, to);
+        check_bad_input(workspace.evaluate({"right.csv", "DATASET", "--out", "out"}),
+                        {"scene_camera.json: 0", "expected"});
+        CHECK_FALSE(std::filesystem::exists(workspace.work() / "out"));
+    }
+}
 
 TEST_CASE("evaluate prints a table, and writes tables, plots and a page", "[evaluate]") {
     Workspace const workspace;

@@ -124,6 +124,9 @@ TEST_CASE("Symmetries of a mesh: of a can, a box, a square bar, and none", "[bop
     CHECK(bar.axes.empty());
     CHECK(bar.symmetries.size() == 7);  // those of a square, the identity aside
 
+    bop::ObjectModel const post = with_symmetries_of_mesh({}, prism(polygon(4, 0.04 * std::sqrt(2.0)), 0.2));
+    CHECK(post.symmetries.size() == 7);  // a fifth of a turn would be near enough, but not two of them
+
     bop::ObjectModel const wedge = with_symmetries_of_mesh({}, prism({{0, 0}, {0.1, 0}, {0, 0.04}}, 0.03));
     CHECK(wedge.axes.empty());
     CHECK(wedge.symmetries.empty());

@@ -85,7 +85,7 @@ std::vector<int> hits(PairErrors const& errors, std::size_t truths, double step)
 struct JudgedImage {
     JudgedImage(bop::DatasetImage const& image) : camera(image.camera) {
         std::error_code ignored;
-        if (image.problem.empty() && std::filesystem::exists(image.depth, ignored)) {
+        if (std::filesystem::exists(image.depth, ignored)) {
             bop::Observation const observation = bop::load_observation(image);
             camera = observation.camera;
             seen = seen_distances(observation);
@@ -198,6 +198,8 @@ Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> cons
     std::vector<std::vector<InstanceErrors>> errors(dataset.targets.size());
     std::vector<std::size_t> used(dataset.targets.size(), 0);
     std::vector<TargetRange> const ranges = by_image(dataset.targets);
+    for (TargetRange const& range : ranges)
+        bop::sound(*dataset.find(dataset.targets[range.begin].image));
     CountedProgress done(dataset.targets.size(), progress);
     on_threads(ranges.size(), options.jobs, [&](std::size_t range) {
         JudgedImage const image(*dataset.find(dataset.targets[ranges[range].begin].image));

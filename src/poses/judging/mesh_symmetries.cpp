@@ -132,16 +132,17 @@ class SymmetrySearch {
   private:
     void look_for_steps(Eigen::Vector3d const& axis) {
         for (int steps = 6; steps > 1; --steps) {
-            Eigen::Matrix3d const turn = turned_about(axis, 1.0 / steps);
-            if (!surface_.is_mapped_by(turn))
+            if (!is_mapped_by_all(axis, steps))
                 continue;
             found_.push_back(axis);
-            return add(turn);
+            return add(turned_about(axis, 1.0 / steps));
         }
     }
 
-    bool is_round(Eigen::Vector3d const& axis) const {
-        constexpr int steps = 16;
+    bool is_round(Eigen::Vector3d const& axis) const { return is_mapped_by_all(axis, 16); }
+
+    /// Equal steps of a whole turn. Those of more than a half are those of less, backwards.
+    bool is_mapped_by_all(Eigen::Vector3d const& axis, int steps) const {
         for (int i = 1; i <= steps / 2; ++i) {
             if (!surface_.is_mapped_by(turned_about(axis, i / (1.0 * steps))))
                 return false;

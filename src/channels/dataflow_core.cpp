@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "channels/fifo_channel.hpp"
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/core/machine/build_core.hpp"
 
 namespace dataflow {
@@ -36,8 +37,13 @@ std::vector<FifoChannel*> const& DataflowCore::channels() const {
 /// The SystemC kernel knows everything that is part of an object.
 void DataflowCore::find_channels(sc_core::sc_object const& parent) const {
     for (sc_core::sc_object* const child : parent.get_child_objects()) {
-        if (auto* const channel = dynamic_cast<FifoChannel*>(child))
-            channels_.at(timing_->number_of(channel->timing())) = channel;
+        if (auto* const channel = dynamic_cast<FifoChannel*>(child)) {
+            FifoChannel*& place = channels_.at(timing_->number_of(channel->timing()));
+            if (place != nullptr && dynamic_cast<HandOverChannel*>(place) == nullptr)  // which a PingPong replaces
+                throw InputError("the FIFO " + channel->timing().name() + " has two channels, " +
+                                 std::string(place->name()) + " and " + channel->name() + ", expected one");
+            place = channel;
+        }
         find_channels(*child);
     }
 }
@@ -139,22 +145,23 @@ void DataflowCore::require_interlocks() const {
             auto const is_it = [=](WatchedDependence const& one) { return one.loop == loop && one.number == i; };
             if (machine_->loops[loop].dependences[i].interlocks() &&
                 std::none_of(watched_.begin(), watched_.end(), is_it))
-                throw std::logic_error("the loop " + machine_->loop_name(loop) + " has hazards interlock on " +
-                                       machine_->memories[machine_->loops[loop].dependences[i].memory].name +
-                                       ", expected its module to ask for write_distances()");
+                throw InputError("the loop " + machine_->loop_name(loop) + " has hazards interlock on " +
+                                 machine_->memories[machine_->loops[loop].dependences[i].memory].name +
+                                 ", expected its module to ask for write_distances() in start_of_simulation()");
         }
 }
 
 void DataflowCore::start_of_simulation() {
-    require_interlocks();
     for (auto const& call : starts_)
         call();
 }
 
 void DataflowCore::begin_sample(std::size_t process) {
     std::size_t const sample = begun_[process]++;
-    if (sample == 0)
+    if (sample == 0) {
+        require_interlocks();
         await_turn_of(process);
+    }
     for (auto const& call : process_begins_)
         call(process);
     if (process == machine_->begins)

@@ -42,6 +42,11 @@ void ProcessClock::refuse_in_tokens_body(std::string const& what) const {
                      "accesses all its ports itself");
 }
 
+void ProcessClock::refuse_inside(char const* what) const {
+    throw InputError("module " + timing_.name() + " " + what +
+                     " inside of a step or an iteration of a loop, expected it before or behind that");
+}
+
 void ProcessClock::access_closely(timing::Ports port) {
     if (is_in_tokens_body_)
         refuse_in_tokens_body(fifos_[port.first()]->timing().name());

@@ -26,6 +26,9 @@ std::uint64_t ProcessClock::step_of(unsigned port) const {
 void ProcessClock::end_body() {
     last_attempt_.reset();
     attempted_ = timing::Ports();
+    if (may_wait_ && !std::exchange(has_waited_, false))
+        await_writes(pipelined_);
+    has_waited_ = false;
     if (!makes_attempts_)
         iterate(std::exchange(collected_, timing::Ports()), 1);
 }

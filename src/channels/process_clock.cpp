@@ -102,7 +102,8 @@ std::uint64_t ProcessClock::number(std::string_view name) const {
     auto const& numbers = dataflow_core_.machine().processes[timing_.index()].numbers;
     auto const found = numbers.find(name);
     if (found == numbers.end())
-        throw std::out_of_range("process " + timing_.name() + " has no number " + std::string(name));
+        throw InputError("module " + timing_.name() + " asks for its number " + std::string(name) +
+                         ", which its describe() does not have, expected number(\"" + std::string(name) + "\")");
     return found->second;
 }
 
@@ -131,6 +132,7 @@ bool ProcessClock::has_interlocks(unsigned loop) const {
 
 /// Whatever the initiation interval is, so that the operations are right for any.
 void ProcessClock::await_writes(unsigned loop, bool of_one_before) {
+    has_waited_ = true;
     for (Interlock const& interlock : interlocks_) {
         std::uint64_t const distance =
             of_one_before ? interlock.distances->nearest_before() : interlock.distances->nearest();
@@ -156,7 +158,8 @@ void ProcessClock::open_loop(unsigned loop, SourceSite site) {
     makes_attempts_ = timing_.loops()[loop].makes_attempts;
     is_held_ = makes_attempts_ ||
                std::any_of(reads.begin(), reads.end(), [](timing::LoopRead const& read) { return read.stage > 0; });
-    is_plain_ = !is_held_ && !lockstep() && !timing_.is_taped();
+    may_wait_ = has_interlocks(loop);
+    is_plain_ = !is_held_ && !may_wait_ && !lockstep() && !timing_.is_taped();
     has_begun_ = false;
     reached_ = 0;
 }

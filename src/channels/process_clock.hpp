@@ -31,7 +31,7 @@ class FifoChannel;
 /// core's timing catch up later. The cycles are the same: both run through timing::ProcessTiming.
 class ProcessClock {
   public:
-    /// Of a core's process, by its name in the machine. Errors: std::out_of_range if the core has none of that name.
+    /// Of a core's process, by its name in the machine. Errors: InputError if the core has none of that name.
     ProcessClock(DataflowCore& core, std::string_view process);
 
     /// Takes the process's ends of all FIFOs that the machine says it has. Once, at the end of elaboration: the core's
@@ -39,16 +39,16 @@ class ProcessClock {
     /// that rewinds and cannot.
     void connect_all();
     /// The number of a loop for enter_loop(), by its name in the process. After connect_all().
-    /// Errors: std::out_of_range if the process has no such loop.
+    /// Errors: InputError if the process has no such loop.
     unsigned loop(std::string_view name) const;
 
     /// What the configuration says of a number of the module, by its name: ModuleDescription::number().
-    /// Errors: std::out_of_range if the module has no such number.
+    /// Errors: InputError if the module has no such number.
     std::uint64_t number(std::string_view name) const;
 
     /// Where a loop of the process tells which words of a memory its iterations access, by their names. Null if nobody
-    /// wants to know, as mostly. Once, after connect_all(). Before an iteration of that loop is told, its TokenLoop
-    /// calls await_writes(), or the module does.
+    /// wants to know, as mostly. Once, after connect_all(): in start_of_simulation() of the module. Each iteration of
+    /// that loop calls next_iteration() there and says its words, before any other of the process begins.
     WriteDistances* write_distances(std::string_view loop, std::string_view memory);
     /// Whether iterations of a loop may have to wait for writes (`hazards: interlock`). They are told one by one then.
     bool has_interlocks(unsigned loop) const;
@@ -59,7 +59,8 @@ class ProcessClock {
     /// the loop does not name it.
     void require_access(unsigned loop, timing::Ports others, timing::Ports port) const;
     /// The next iteration to be told waits for the writes of others that it must not overtake: those that its loop's
-    /// WriteDistances have met in the iteration at hand there, or in the one before it.
+    /// WriteDistances have met in the iteration at hand there, or in the one before it. pipeline() and TokenLoop say so
+    /// for theirs.
     void await_writes(unsigned loop, bool of_one_before = false);
 
     /// The call of all modules that it is part of begins, then its own, and that ends: SampleModule says so.
@@ -75,6 +76,7 @@ class ProcessClock {
 
     /// T += cycles.
     void advance(Cycles cycles) {
+        require_outside("lets time pass");
         say([cycles](OperationLog& log) {
             Cycles left = cycles;
             for (; left > longest_count; left -= longest_count)
@@ -84,6 +86,7 @@ class ProcessClock {
     }
     /// T += the cycles of a setup.
     void set_up() {
+        require_outside("prepares something");
         say([](OperationLog& log) { log.setup(); });
     }
     /// Between iterations of a loop: a setup begins; the loop waits until the oldest one not awaited yet is done.
@@ -102,11 +105,14 @@ class ProcessClock {
     /// Notes the local time, or the cycle before it: see ModuleDescription::stamps_look_back. Read back from
     /// timing().stamps().
     void stamp() {
+        require_outside("notes its time");
         say([](OperationLog& log) { log.stamp(); });
         core_.shorten_trail();
     }
 
     void enter_loop(unsigned loop, SourceSite site = SourceSite::here()) {
+        if (collecting_)
+            refuse_inside("begins a loop");
         if (stream_ != nullptr)
             enter_memory(loop);
         timing_.note_loop_site(loop, site);
@@ -146,7 +152,7 @@ class ProcessClock {
     /// a FIFO that the loop reads in a later stage.
     template <class Body>
     void pipeline(std::string_view loop_name, std::uint64_t count, Body body, SourceSite site = SourceSite::here()) {
-        unsigned const number = loop(loop_name);
+        unsigned const number = loop_to_run(loop_name);
         if (is_left_out(number, count))
             return;
         open_loop(number, site);
@@ -159,7 +165,7 @@ class ProcessClock {
     }
     /// `count` iterations that access nothing.
     void pipeline(std::string_view loop_name, std::uint64_t count, SourceSite site = SourceSite::here()) {
-        unsigned const number = loop(loop_name);
+        unsigned const number = loop_to_run(loop_name);
         if (is_left_out(number, count))
             return;
         enter_loop(number, site);
@@ -172,7 +178,7 @@ class ProcessClock {
     template <class Tokens, class Body>
     void pipeline(std::string_view loop_name, std::uint64_t count, Tokens const& tokens, Body body,
                   SourceSite site = SourceSite::here()) {
-        unsigned const number = loop(loop_name);
+        unsigned const number = loop_to_run(loop_name);
         if (is_left_out(number, count))
             return;
         if (reads_first(number))
@@ -183,7 +189,7 @@ class ProcessClock {
     /// Of a loop whose trip count depends on what it does: as many iterations as `body` asks for, by returning true.
     template <class Body>
     void pipeline_while(std::string_view loop_name, Body body, SourceSite site = SourceSite::here()) {
-        open_loop(loop(loop_name), site);
+        open_loop(loop_to_run(loop_name), site);
         bool goes_on = true;
         for (std::uint64_t i = 0; goes_on; ++i) {
             open_iteration(i);
@@ -195,7 +201,7 @@ class ProcessClock {
     template <class Tokens, class Body>
     void pipeline_while(std::string_view loop_name, Tokens const& tokens, Body body,
                         SourceSite site = SourceSite::here()) {
-        if (reads_first(loop(loop_name)))
+        if (reads_first(loop_to_run(loop_name)))
             in_tokens_body([&] { tokens.loop(*this, loop_name).run_while(body, site); });
         else
             pipeline_while(loop_name, tokens.by_plain_accesses(*this, body), site);
@@ -377,6 +383,17 @@ class ProcessClock {
     void wake_behind_flushing();
     void let_out();
 
+    /// Of the loop that begins now.
+    unsigned loop_to_run(std::string_view name) const {
+        require_outside("begins a loop");
+        return loop(name);
+    }
+    /// Time passes between steps and iterations only.
+    void require_outside(char const* what) const {
+        if (collecting_ || is_in_tokens_body_)
+            refuse_inside(what);
+    }
+    [[noreturn]] void refuse_inside(char const* what) const;
     void access_closely(timing::Ports port);
     [[noreturn]] void refuse_in_tokens_body(std::string const& what) const;
     void require_no_late_access(timing::LoopShape const& loop) const;
@@ -460,6 +477,8 @@ class ProcessClock {
     bool is_in_tokens_body_ = false;
     bool is_pipelining_ = false;
     bool is_plain_ = false;      // it has nothing to do between its iterations but to tell of them, in one log
+    bool may_wait_ = false;      // its iterations may have to wait for writes of others
+    bool has_waited_ = false;    // the module has told what the one at hand waits for
     bool is_held_ = false;       // in lockstep, the process goes no further than the module has got,
     std::uint64_t reached_ = 0;  // which is this step
 
@@ -484,6 +503,7 @@ class ProcessClock {
 class Step {
   public:
     explicit Step(ProcessClock& clock, SourceSite site = SourceSite::here()) : clock_(clock) {
+        clock_.require_outside("begins a step");
         clock_.here(site);
         clock_.begin_collecting();
     }

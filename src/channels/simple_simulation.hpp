@@ -6,6 +6,7 @@
 
 #include "channels/sample_module.hpp"
 #include "channels/simulated_design.hpp"
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/run/config/simple_design.hpp"
 
 namespace dataflow {
@@ -30,7 +31,13 @@ class SimpleCore : public DataflowCore {
     Numbers const& numbers() const { return numbers_; }
 
     /// What comes out of a sample: its counters. The last module tells it at the end of each, if the design has any.
-    void add_result(Counters counters) { results_.push_back(std::move(counters)); }
+    /// Errors: InputError if it has more or fewer than the design has columns for.
+    void add_result(Counters counters) {
+        if (std::size_t const columns = design().counters().size(); counters.size() != columns)
+            throw InputError("a result has " + std::to_string(counters.size()) + " values, expected " +
+                             std::to_string(columns) + ", as the design has columns for them");
+        results_.push_back(std::move(counters));
+    }
     std::size_t results() const override { return results_.empty() ? DataflowCore::results() : results_.size(); }
     Counters result(std::size_t i) const override { return results_.empty() ? Counters() : results_[i]; }
 

@@ -56,6 +56,39 @@ TEST_CASE("a FIFO that an iteration accesses twice, or that its loop does not na
     check_both(pair, "module reader reads f twice in a step or an iteration of a loop, expected once");
 }
 
+TEST_CASE("no time passes inside of a step or an iteration, and no loop begins there") {
+    auto const refused = [](std::string const& what, std::function<void(ProcessClock&)> const& inside) {
+        std::string const expected =
+            "module writer " + what + " inside of a step or an iteration of a loop, expected it before or behind that";
+        Pair pair = sound_pair();
+        pair.writer.loop("inner").of_depth(2);
+        pair.writes = [&](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+            clock.pipeline("send", 10, [&](std::uint64_t i) {
+                fifo.write(static_cast<Token>(i));
+                inside(clock);
+            });
+        };
+        check_both(pair, expected);
+        pair.writes = [&](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+            clock.pipeline("send", 10, token_ports(std::tuple(), std::tuple(&fifo)), [&](Token&) { inside(clock); });
+        };
+        check_both(pair, expected);
+        pair.writes = [&](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+            Step const step(clock);
+            fifo.write(1);
+            inside(clock);
+        };
+        check_both(pair, expected);
+    };
+    refused("lets time pass", [](ProcessClock& clock) { clock.advance(1); });
+    refused("notes its time", [](ProcessClock& clock) { clock.stamp(); });
+    refused("begins a step", [](ProcessClock& clock) { Step const step(clock); });
+    refused("begins a loop", [](ProcessClock& clock) { clock.pipeline("inner", 3, [](std::uint64_t) {}); });
+    refused("begins a loop", [](ProcessClock& clock) { clock.pipeline("inner", 3); });
+    refused("begins a loop",
+            [](ProcessClock& clock) { clock.pipeline_while("inner", [](std::uint64_t) { return false; }); });
+}
+
 TEST_CASE("a body that is called with tokens accesses nothing itself, whatever the loop") {
     auto const refused = [](std::string const& what) {
         return "module writer accesses " + what +

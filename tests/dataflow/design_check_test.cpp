@@ -1,3 +1,5 @@
+#include "dataflow/run/config/design_check.hpp"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
@@ -14,6 +16,7 @@
 namespace design_check_test {
 
 using namespace faster;
+using Catch::Matchers::Contains;
 using faster::test::input_error_text;
 
 /// first -f-> second -g-> third, first -h-> fourth, fourth -i-> third, fourth -k-> first.
@@ -41,14 +44,18 @@ std::string complaint_about(std::function<void(ModuleDescription& writer, Module
     reader.reads_from("f").taken("receive", 0);
     reader.loop("receive").of_depth(2);
     change(writer, reader);
-    return input_error_text([&] { make_machine(core_of({writer, reader}), {}); });
+    return input_error_text([&] {
+        CoreDescription const core = core_of({writer, reader});
+        check_design(core);
+        make_machine(core, {});
+    });
 }
 
 /// Three in a row and a fourth that reads from the first, with a pace.
 std::string complaint_about_pace(CoreDescription::Pace const& pace) {
     CoreDescription core = row_of_four();
     core.pace = pace;
-    return input_error_text([&] { make_machine(core, {}); });
+    return input_error_text([&] { check_design(core); });
 }
 
 TEST_CASE("a pace is of the design's modules, each by a FIFO to the driver", "[machine]") {
@@ -147,6 +154,45 @@ TEST_CASE("a design with a port to the external memory has the keys of the memor
         }) ==
         "module writer stores log by a port to the memory, and has another one for out, expected one, and a module for "
         "each other");
+}
+
+TEST_CASE("names are words that keys can have", "[machine]") {
+    for (char const* const name : {"", "a.b", "a b", "a:b", "a*"}) {
+        std::string const expected = std::string("has the name \"") + name + "\", expected a word";
+        CHECK_THAT(complaint_about([&](auto& writer, auto&) { writer.name = name; }), Contains(expected));
+        CHECK_THAT(complaint_about([&](auto& writer, auto&) { writer.loop(name).of_depth(1); }), Contains(expected));
+        CHECK_THAT(complaint_about([&](auto& writer, auto&) { writer.memory(name).of_words(1, 1, 1); }),
+                   Contains(expected));
+    }
+    CHECK(input_error_text([] { core_of({}); }) == "the design has no module, expected at least one");
+    CoreDescription core = row_of_four();
+    core.begins = "frist";
+    CHECK(input_error_text([&] { check_design(core); }) ==
+          "the core begins with a module frist, which there is not, expected one of the design, did you mean first?");
+}
+
+TEST_CASE("defaults are what keys may say", "[machine]") {
+    CHECK(complaint_about([](auto& writer, auto&) { writer.ends[0].of_depth(0); }) ==
+          "the depth of the FIFO f is 0, expected 1 to 1048576");
+    CHECK(complaint_about([](auto& writer, auto&) { writer.loops[0].of_ii(0); }) ==
+          "the initiation interval of loop writer.send is 0, expected 1 to 1000000");
+    CHECK(complaint_about([](auto& writer, auto&) { writer.loops[0].of_depth(0); }) ==
+          "the pipeline depth of loop writer.send is 0, expected 1 to 1000000");
+    CHECK(complaint_about([](auto& writer, auto&) { writer.loops[0].of_states(0); }) ==
+          "the number of states of loop writer.send is 0, expected 1 to 1000000");
+    CHECK(complaint_about([](auto& writer, auto&) { writer.number("tries").is(5).within(6, 10); }) ==
+          "the number tries of module writer is 5, expected 6 to 10");
+}
+
+TEST_CASE("a loop with the keys of another is as that one is", "[machine]") {
+    auto const complaint = [](char const* loop, Cycles depth) {
+        return complaint_about([=](auto&, auto& reader) { reader.loop("again").of_depth(depth).with_keys_of(loop); });
+    };
+    CHECK(complaint("writer.send", 2) == "(no error)");
+    CHECK_THAT(complaint("writer.send", 3), Contains("has the keys of writer.send and another depth"));
+    CHECK_THAT(complaint("writer.sent", 2),
+               Contains("expected a loop of the design that has keys of its own, did you mean writer.send?"));
+    CHECK_THAT(complaint("reader.again", 2), Contains("expected a loop of the design that has keys of its own"));
 }
 
 }  // namespace design_check_test

@@ -65,9 +65,9 @@ TEST_CASE("A machine has the parts of its description, by number and by name", "
     CHECK(machine.memory("table") == 0);
     CHECK(machine.loop(worker, "look_up") == 0);
     CHECK(machine.loop_name(0) == "worker.look_up");
-    CHECK_THROWS_AS(machine.process("worker.look_up"), std::out_of_range);
-    CHECK_THROWS_AS(machine.fifo("question"), std::out_of_range);
-    CHECK_THROWS_AS(machine.loop(source, "look_up"), std::out_of_range);
+    CHECK_THROWS_AS(machine.process("worker.look_up"), InputError);
+    CHECK_THROWS_AS(machine.fifo("question"), InputError);
+    CHECK_THROWS_AS(machine.loop(source, "look_up"), InputError);
 
     CHECK(machine.fifos[answer].writer == worker);
     CHECK(machine.fifos[answer].reader == sink);

@@ -1,7 +1,10 @@
 #include "dataflow/core/machine/machine.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <string>
+
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/nearest_name.hpp"
 
 namespace dataflow {
 
@@ -9,8 +12,16 @@ namespace {
 
 template <class Parts> std::size_t number_of(std::string_view name, Parts const& parts) {
     auto const found = std::find_if(parts.begin(), parts.end(), [name](auto const& part) { return part.name == name; });
-    if (found == parts.end())
-        throw std::out_of_range("a machine has no part " + std::string(name));
+    if (found == parts.end()) {
+        std::vector<std::string> names;
+        for (auto const& part : parts)
+            names.push_back(part.name);
+        throw InputError(
+            "the design describes no part " + std::string(name) +
+            ", expected the name of a module, FIFO, loop or memory that it has (SystemC adds _0 to one that "
+            "is there twice)" +
+            did_you_mean(name, names));
+    }
     return static_cast<std::size_t>(found - parts.begin());
 }
 
@@ -84,7 +95,8 @@ std::size_t Machine::loop(std::size_t process, std::string_view name) const {
         return loop.process == process && loop.name == name;
     });
     if (found == loops.end())
-        throw std::out_of_range("module " + processes[process].name + " has no loop " + std::string(name));
+        throw InputError("module " + processes[process].name + " has no loop " + std::string(name) +
+                         ", expected loop(\"" + std::string(name) + "\") in its describe()");
     return static_cast<std::size_t>(found - loops.begin());
 }
 

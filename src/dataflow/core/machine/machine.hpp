@@ -156,7 +156,7 @@ struct Machine {
     std::string loop_name(std::size_t loop) const {
         return processes[loops[loop].process].name + '.' + loops[loop].name;
     }
-    /// Of a part by its name. Errors: std::out_of_range if there is none.
+    /// Of a part by its name. Errors: InputError if there is none.
     std::size_t process(std::string_view name) const;
     std::size_t fifo(std::string_view name) const;
     std::size_t memory(std::string_view name) const;

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "dataflow/base/input_error.hpp"
-#include "dataflow/core/machine/design_check.hpp"
 #include "dataflow/core/machine/lead_of.hpp"
 #include "dataflow/core/machine/machine.hpp"
 
@@ -57,7 +56,6 @@ std::optional<timing::ExternalMemory> shape_of(MachineSettings const& settings) 
 class Maker {
   public:
     Maker(CoreDescription const& core, MachineSettings const& settings) : core_(core), settings_(settings) {
-        check_design(core);
         machine_.cores = settings.cores;
         machine_.clock_mhz = settings.clock_mhz;
         machine_.cores_are = core.cores_are;

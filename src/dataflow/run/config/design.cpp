@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dataflow/run/config/design_check.hpp"
+
 namespace dataflow {
 
 std::vector<std::string> Design::complaints(LoadedConfig const& /*loaded*/) const { return {}; }
@@ -41,6 +43,10 @@ std::string const& cores_are() {
     return name;
 }
 
-Machine machine_of(RunConfig const& config) { return make_machine(design().core(config), config.machine()); }
+Machine machine_of(RunConfig const& config) {
+    CoreDescription const core = design().core(config);
+    check_design(core);
+    return make_machine(core, config.machine());
+}
 
 }  // namespace dataflow

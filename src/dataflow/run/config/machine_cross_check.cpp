@@ -4,6 +4,7 @@
 #include "dataflow/core/time/operation.hpp"
 #include "dataflow/run/config/config_sources.hpp"
 #include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/design_check.hpp"
 #include "dataflow/run/config/machine_keys.hpp"
 
 namespace dataflow {
@@ -136,6 +137,7 @@ void check_partition(LoadedConfig const& loaded, MemoryDescription const& memory
 
 std::vector<std::string> machine_complaints(LoadedConfig const& loaded) {
     CoreDescription const core = design().core(loaded.config);
+    check_design(core);
     std::vector<std::string> complaints;
     Machine const machine = make_machine(core, loaded.config.machine());
     for (MachineFifo const& fifo : machine.fifos)

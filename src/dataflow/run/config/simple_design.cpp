@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "dataflow/base/input_error.hpp"
-#include "dataflow/core/machine/design_check.hpp"
+#include "dataflow/base/nearest_name.hpp"
 #include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/design_check.hpp"
 #include "dataflow/run/config/external_memory_keys.hpp"
 #include "dataflow/run/config/machine_keys.hpp"
 
@@ -59,6 +60,17 @@ Keys memory_keys() {
 }
 
 }  // namespace
+
+std::uint64_t Numbers::operator[](std::string const& key) const {
+    auto const found = values_.find(key);
+    if (found != values_.end())
+        return found->second;
+    std::vector<std::string> keys;
+    for (auto const& [known, value] : values_)
+        keys.push_back(known);
+    throw InputError("number(\"" + key + "\"): the design has no such number, expected one of its keys" +
+                     did_you_mean(key, keys));
+}
 
 SimpleDesign::SimpleDesign(SimpleFacts facts) : facts_(std::move(facts)) {
     facts_.numbers.insert(facts_.numbers.begin(),

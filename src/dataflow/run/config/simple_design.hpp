@@ -21,8 +21,8 @@ struct DesignNumber {
 /// What a configuration says of a design's numbers.
 class Numbers {
   public:
-    /// By key. Errors: std::out_of_range if the design has no such number.
-    std::uint64_t operator[](std::string const& key) const { return values_.at(key); }
+    /// By key. Errors: InputError if the design has no such number.
+    std::uint64_t operator[](std::string const& key) const;
     std::uint64_t& of(std::string const& key) { return values_[key]; }
     std::uint64_t const& of(std::string const& key) const { return values_.at(key); }
 

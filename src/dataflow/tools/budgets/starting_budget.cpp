@@ -1,11 +1,13 @@
 #include "dataflow/tools/budgets/starting_budget.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/program_name.hpp"
 #include "dataflow/tools/budgets/baseline_text.hpp"
+#include "dataflow/tools/budgets/figure_pattern.hpp"
 
 namespace dataflow::budgets {
 
@@ -35,6 +37,12 @@ std::string head(Budget const& budget, std::string const& date) {
     return text;
 }
 
+bool has_any(Measurement const& measurement, char const* figures) {
+    FigurePattern const pattern(figures);
+    auto const all = measurement.figures.all();
+    return std::any_of(all.begin(), all.end(), [&](Figure const& figure) { return pattern.matches(figure.name); });
+}
+
 std::string limit_lines(Measurement const& measurement, GuardedFigures const& guarded) {
     auto const total = static_cast<double>(measurement.figures.find("total_cycles").value_or(0));
     std::string text = fmt::format(
@@ -49,17 +57,20 @@ std::string limit_lines(Measurement const& measurement, GuardedFigures const& gu
             "  samples.*.latency_cycles: {{max: baseline, slack: {}}}\n{}",
             guarded.counter.empty() ? "" : ", and none may score differently", slack,
             guarded.counter.empty() ? "" : fmt::format("  samples.*.{}: {{exact: baseline}}\n", guarded.counter));
+    if (has_any(measurement, "loops.*.*.ii"))
+        text +=
+            "  # Every loop keeps its initiation interval; loops.MODULE.LOOP.\n"
+            "  loops.*.*.ii: {max: baseline}\n";
     text += fmt::format(
-        "  # Every loop keeps its initiation interval; loops.MODULE.LOOP.\n"
-        "  loops.*.*.ii: {{max: baseline}}\n"
         "  # Waiting may move by as much. Figures without cores.N. are sums over all cores, occupancies the largest.\n"
         "  modules.{}.empty_stall_cycles: {{within: {{of: baseline, percent: {}}}}}\n"
-        "  fifos.*.max_occupancy: {{max: baseline}}\n"
+        "{}"
         "  # To guard every cycle of every FIFO, loop and module instead:\n"
         "  # fifos.*.*: {{exact: baseline}}\n"
         "  # loops.*.*.*: {{exact: baseline}}\n"
         "  # modules.*.*: {{exact: baseline}}\n\n",
-        guarded.module, slack);
+        guarded.module, slack,
+        has_any(measurement, "fifos.*.max_occupancy") ? "  fifos.*.max_occupancy: {max: baseline}\n" : "");
     return text;
 }
 

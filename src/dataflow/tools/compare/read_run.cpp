@@ -254,7 +254,7 @@ std::vector<Record> read_table(JsonSection const& summary, std::string const& ta
         if (!seen.emplace(core, name).second)
             row.fail("core", fmt::format("one row only for its {}", name));
     }
-    if (records.empty() || records.size() != cores * names.size())
+    if (records.size() != cores * names.size())
         summary.fail(table, fmt::format("a row for each item of each of the {} {}", cores, cores_are()));
     return records;
 }

@@ -4,7 +4,8 @@
 namespace dataflow {
 
 /// What cannot be timed, or would be timed wrongly, whatever the configuration: names that are used twice, parts that
-/// are named and not there, an end of a FIFO that several modules have. Errors: InputError.
+/// are named and not there, an end of a FIFO that several modules have, defaults that no key could say. Errors:
+/// InputError.
 void check_design(CoreDescription const& core);
 
 }  // namespace dataflow

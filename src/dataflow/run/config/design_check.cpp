@@ -1,7 +1,8 @@
-#include "dataflow/core/machine/design_check.hpp"
+#include "dataflow/run/config/design_check.hpp"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dataflow/base/input_error.hpp"
@@ -23,6 +24,10 @@ class NamedOnce {
   public:
     NamedOnce(std::string where, std::string kind) : where_(std::move(where)), kind_(std::move(kind)) {}
     void add(std::string const& name) {
+        constexpr char const* of_other_meaning = " \t\n.:,=/*?[]{}\"'";
+        if (name.empty() || name.find_first_of(of_other_meaning) != std::string::npos)
+            throw InputError(where_ + " one of the " + kind_ + " has the name \"" + name +
+                             "\", expected a word, such as row_buffer, which keys and tables can have");
         if (has(names_, name))
             throw InputError(where_ + " two " + kind_ + " have the name " + name +
                              ", expected another name for one of them");
@@ -45,9 +50,13 @@ class DesignCheck {
 
     void check() const {
         check_names();
+        check_core_ends();
         for (ModuleDescription const& module : core_.modules) {
             for (FifoEnd const& end : module.ends)
                 check_end(module, end);
+            for (NumberDescription const& number : module.numbers)
+                check_range("the number " + number.name + " of module " + module.name, number.value, number.least,
+                            number.most);
             for (LoopDescription const& loop : module.loops)
                 check_loop(module, loop);
         }
@@ -84,6 +93,8 @@ class DesignCheck {
                              ", which " + (end.writes ? "the design does not list" : "nobody writes") +
                              ", expected another module's writes_to(\"" + end.fifo + "\")" +
                              did_you_mean(end.fifo, core_.fifos));
+        if (end.writes)
+            check_range("the depth of the FIFO " + end.fifo, end.depth, 1, end.buffer_words > 0 ? 1024 : 1'048'576);
         if (!end.loop.empty())
             keyed_loop(module, end.loop);
         if (end.makes_attempts)
@@ -101,7 +112,56 @@ class DesignCheck {
                     throw InputError(what + "behind a pipeline that drains by itself, expected read() and write()");
     }
 
+    void check_core_ends() const {
+        for (auto const& [what, name] : {std::pair("begins", core_.begins), {"ends", core_.ends}})
+            if (Names const names = module_names(); !has(names, name))
+                throw InputError(std::string("the core ") + what + " with a module " + name +
+                                 ", which there is not, expected one of the design" + did_you_mean(name, names));
+    }
+    Names module_names() const {
+        Names names;
+        for (ModuleDescription const& module : core_.modules)
+            names.push_back(module.name);
+        return names;
+    }
+
+    /// Defaults are within what their keys may say.
+    static void check_range(std::string const& what, std::uint64_t value, std::uint64_t least, std::uint64_t most) {
+        if (value < least || value > most)
+            throw InputError(what + " is " + std::to_string(value) + ", expected " + std::to_string(least) + " to " +
+                             std::to_string(most));
+    }
+    static void check_defaults(std::string const& name, LoopDescription const& loop) {
+        check_range("the initiation interval of loop " + name, loop.interval, 1, most_cycles);
+        check_range("the recurrence of loop " + name, loop.recurrence, 1, most_cycles);
+        check_range(std::string(loop.is_pipelined ? "the pipeline depth" : "the number of states") + " of loop " + name,
+                    loop.depth, 1, most_cycles);
+    }
+
+    /// What the other's keys do not say is the same, or nothing of this loop could be changed as they say.
+    void check_timed_by(std::string const& name, LoopDescription const& loop) const {
+        LoopDescription const* other = nullptr;
+        Names names;
+        for (ModuleDescription const& module : core_.modules)
+            for (LoopDescription const& one : module.loops) {
+                names.push_back(module.name + "." + one.name);
+                if (names.back() == loop.timed_by && one.timed_by.empty())
+                    other = &one;
+            }
+        if (other == nullptr)
+            throw InputError("loop " + name + " has the keys of " + loop.timed_by +
+                             ", expected a loop of the design that has keys of its own" +
+                             did_you_mean(loop.timed_by, names));
+        if (other->depth != loop.depth || other->interval != loop.interval || other->is_pipelined != loop.is_pipelined)
+            throw InputError("loop " + name + " has the keys of " + loop.timed_by +
+                             " and another depth or initiation interval, expected those of " + loop.timed_by);
+    }
+
     void check_loop(ModuleDescription const& module, LoopDescription const& loop) const {
+        std::string const name = module.name + "." + loop.name;
+        check_defaults(name, loop);
+        if (!loop.timed_by.empty())
+            check_timed_by(name, loop);
         for (MemoryAccess const& access : loop.accesses)
             if (!has(memories_, access.memory))
                 throw InputError("loop " + module.name + "." + loop.name + " accesses the memory " + access.memory +
@@ -142,14 +202,11 @@ class DesignCheck {
         }
     }
     ModuleDescription const& paced(std::string const& name) const {
-        Names names;
-        for (ModuleDescription const& module : core_.modules) {
+        for (ModuleDescription const& module : core_.modules)
             if (module.name == name)
                 return module;
-            names.push_back(module.name);
-        }
         throw InputError("the pace names a module " + name + ", which there is not, expected one of the design" +
-                         did_you_mean(name, names));
+                         did_you_mean(name, module_names()));
     }
     static bool accesses(ModuleDescription const& module, std::string const& fifo, bool writes) {
         return std::any_of(module.ends.begin(), module.ends.end(),
@@ -162,6 +219,8 @@ class DesignCheck {
     static bool hold(Conditions const& conditions) {
         return std::all_of(conditions.begin(), conditions.end(), [](Condition const& one) { return one.holds; });
     }
+
+    static constexpr std::uint64_t most_cycles = 1'000'000;
 
     CoreDescription const& core_;
     Names memories_;

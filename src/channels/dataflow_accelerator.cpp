@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "channels/own_stack.hpp"
+#include "dataflow/base/input_error.hpp"
 
 namespace dataflow {
 
@@ -87,15 +88,25 @@ void DataflowAccelerator::limit_to(std::size_t first, std::size_t end) {
     cores_[first]->run_after(nullptr);
 }
 
+/// What the SystemC kernel complains of is a mistake of the design: a port that is not bound.
+void DataflowAccelerator::start() {
+    try {
+        sc_core::sc_start();
+    } catch (sc_core::sc_report const& report) {
+        throw InputError(std::string("SystemC: ") + report.get_msg_type() + ": " + report.get_msg() +
+                         ", expected a design that it can run");
+    }
+}
+
 /// A core that is stuck before it has done its share does not keep the next ones from theirs. Somebody may pause it
 /// all.
 void DataflowAccelerator::run() {
-    sc_core::sc_start();
+    start();
     for (std::size_t next = first_ + 1; engine_ == Engine::decoupled && !is_left_ && next < end_; ++next) {
         if (cores_[next]->share().count == 0 || cores_[next - 1]->is_turn_over())
             continue;
         cores_[next - 1]->end_turn();
-        sc_core::sc_start();
+        start();
     }
     back_on_own_stack();
     for (std::unique_ptr<DataflowCore> const& core : cores_)

@@ -46,6 +46,8 @@ class DataflowAccelerator : public sc_core::sc_module {
     bool is_left() const { return is_left_; }
 
   private:
+    static void start();
+
     void let_cores_share_answers();
     void let_cores_take_turns();
     void join_by_memory(timing::ExternalMemory const& shape);

@@ -33,15 +33,17 @@ class SimpleCore : public DataflowCore {
     /// What comes out of a sample: its counters. The last module tells it at the end of each, if the design has any.
     /// Errors: InputError if it has more or fewer than the design has columns for.
     void add_result(Counters counters) {
-        if (std::size_t const columns = design().counters().size(); counters.size() != columns)
+        if (std::size_t const columns = dataflow::design().counters().size(); counters.size() != columns)
             throw InputError("a result has " + std::to_string(counters.size()) + " values, expected " +
                              std::to_string(columns) + ", as the design has columns for them");
         results_.push_back(std::move(counters));
     }
-    std::size_t results() const override { return results_.empty() ? DataflowCore::results() : results_.size(); }
-    Counters result(std::size_t i) const override { return results_.empty() ? Counters() : results_[i]; }
+    std::size_t results() const override { return has_columns() ? results_.size() : DataflowCore::results(); }
+    Counters result(std::size_t i) const override { return has_columns() ? results_[i] : Counters(); }
 
   private:
+    static bool has_columns() { return !dataflow::design().counters().empty(); }
+
     Numbers const& numbers_;
     std::vector<Counters> results_;
 };

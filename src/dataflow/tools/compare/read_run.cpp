@@ -179,7 +179,7 @@ void check_fifos(fs::path const& path, RunRecord const& run) {
 void check_loops(fs::path const& path, RunRecord const& run) {
     auto const rows_of_core = ExpectedRows(loop_columns, run.loops).check(path);
     std::size_t rows = 0;
-    std::size_t most = 1;
+    std::size_t most = run.loops.empty() ? 0 : 1;
     for (auto const& core : rows_of_core) {
         rows += core.second;
         most = std::max(most, core.second);

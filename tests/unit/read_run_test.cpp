@@ -149,6 +149,24 @@ TEST_CASE("Tables that lack a row or have one twice are refused", "[runs]") {
     CHECK_THAT(error("\"core\": 0", "\"core\": 1"), Contains("modules[0].core = 1, expected an integer in 0..0"));
 }
 
+TEST_CASE("A design without loops and FIFOs has results that can be read", "[runs]") {
+    TempFolder const folder;
+    std::string text = summary;
+    for (char const* const table : {"\"fifos\": [", "\"loops\": ["}) {
+        std::size_t const begin = text.find(table) + std::string(table).size();
+        text.erase(begin, text.find(']', begin) - begin);
+    }
+    folder.write("summary.json", text);
+    folder.write("samples.csv", samples);
+    auto const header = [](std::string const& csv) { return csv.substr(0, csv.find('\n') + 1); };
+    folder.write("fifos.csv", header(fifos));
+    folder.write("loops.csv", header(loops));
+    RunRecord const run = read_run(folder.path());
+    CHECK(run.fifos.empty());
+    CHECK(run.loops.empty());
+    CHECK(run.modules.size() == 1);
+}
+
 TEST_CASE("Samples that do not fit the run are refused by their line", "[runs]") {
     RunFolder const folder;
     auto const error = [&folder](std::string const& found, std::string const& replacement) {

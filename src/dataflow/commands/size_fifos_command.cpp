@@ -143,7 +143,7 @@ Subcommand size_fifos_command() {
                 add_overrides(command, request->overrides);
                 add_force(command, request->force);
                 command.footer(
-                    "Only depths are searched; kinds stay as configured, auto being a memory above depth 2. "
+                    "Only depths are searched; kinds stay as configured, auto following accelerator.fifo_rules. "
                     "Cores that share a memory are all retimed for each question; the answer says what is "
                     "proven then.");
                 return [request] { return print_fifo_sizes(*request); };

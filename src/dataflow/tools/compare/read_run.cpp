@@ -278,6 +278,8 @@ RunRecord read_summary(JsonSection const& summary) {
     run.raster_cores = summary.integer("raster_cores", 1, most_cores);
     run.configuration = read_configuration(summary.section("configuration"));
     run.modules = read_table<ModuleRecord>(summary, "modules", run.raster_cores, read_module);
+    if (run.modules.empty())
+        summary.fail("modules", "a row for each module");
     run.fifos = read_table<FifoRow>(summary, "fifos", run.raster_cores, read_fifo);
     run.loops = read_table<LoopRow>(summary, "loops", run.raster_cores, read_loop);
     return run;

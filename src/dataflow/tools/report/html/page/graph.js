@@ -197,7 +197,5 @@ function source_text(module) {
 }
 
 function graph_legend() {
-  const memory = data.cycle_classes.includes("memory_stall") ? [["memory_stall", "memory stall"]] : [];
-  return legend([["busy", "busy"], ["fill_drain", "fill or drain"], ["empty_stall", "empty stall"], ["full_stall", "full stall"],
-    ["port_conflict", "port conflict"], ...memory, ["critical", "on the critical path"]]);
+  return legend([...data.cycle_classes.map((name) => [name, in_words(name)]), ["critical", "on the critical path"]]);
 }

@@ -1,9 +1,6 @@
 #include "channels/sample_module.hpp"
 
 #include <exception>
-#include <string>
-
-#include "dataflow/base/input_error.hpp"
 
 namespace dataflow {
 
@@ -22,13 +19,6 @@ void SampleModule::run() {
     }
 }
 
-void SampleModule::require_result(std::size_t samples) const {
-    if (core_.results() != samples)
-        throw InputError(std::string(core_.name()) + " has " + std::to_string(core_.results()) + " results behind " +
-                         std::to_string(samples) + " samples, expected one add_result() for each, of module " +
-                         basename());
-}
-
 void SampleModule::work_on_all() {
     std::size_t const number = clock_.timing().index();
     for (std::size_t i = 0; i < core_.share().count; ++i) {
@@ -41,10 +31,8 @@ void SampleModule::work_on_all() {
         if (number == core_.machine().ends)
             clock_.stamp();
         clock_.end_call();
-        if (number == core_.machine().ends) {
+        if (number == core_.machine().ends)
             clock_.end_sample();
-            require_result(i + 1);
-        }
     }
     clock_.end_calls();
 }

@@ -27,7 +27,6 @@ class SampleModule : public sc_core::sc_module {
     void end_of_elaboration() override { clock_.connect_all(); }
     void run();
     void work_on_all();
-    void require_result(std::size_t samples) const;
 
     DataflowCore& core_;
 };

@@ -28,6 +28,17 @@ TEST_CASE("a loop that a module runs and does not describe is told by name") {
                "did you mean send?");
 }
 
+TEST_CASE("a core has a result for each sample, unless it is stuck") {
+    Pair pair = sound_pair();
+    for (std::size_t const results : {0U, 2U}) {
+        pair.results = results;
+        check_both(pair, "accelerator.core_0 has " + std::to_string(results) +
+                             " results of 1 samples, expected one add_result() for each");
+    }
+    pair.writes = [](ProcessClock&, ClockedFifo<Token>&) {};
+    check_both(pair, "stuck 1");
+}
+
 TEST_CASE("a FIFO that an iteration accesses twice, or that its loop does not name, is told") {
     Pair pair = sound_pair();
     pair.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {

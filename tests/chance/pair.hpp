@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,20 +38,24 @@ class Worker : public SampleModule {
 struct Pair {
     ModuleDescription writer{"writer"}, reader{"reader"};
     Work writes, reads;
+    std::optional<std::size_t> results = {};  ///< that the core has in the end; as many as samples
 };
 
 class PairCore : public DataflowCore {
   public:
     PairCore(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> const& machine, CoreShare share,
              TimeBase const& time_base, Pair const& pair)
-        : DataflowCore(name, machine, share, time_base) {
+        : DataflowCore(name, machine, share, time_base), results_(pair.results) {
         for (MachineFifo const& fifo : machine->fifos)
             make_fifo<Token>(fifo.name);
         workers_.push_back(std::make_unique<Worker>("writer", *this, pair.writes));
         workers_.push_back(std::make_unique<Worker>("reader", *this, pair.reads));
     }
 
+    std::size_t results() const override { return results_.value_or(DataflowCore::results()); }
+
   private:
+    std::optional<std::size_t> results_;
     std::vector<std::unique_ptr<Worker>> workers_;
 };
 

@@ -14,6 +14,7 @@ template <class Parts> std::size_t number_of(std::string_view name, Parts const&
     auto const found = std::find_if(parts.begin(), parts.end(), [name](auto const& part) { return part.name == name; });
     if (found == parts.end()) {
         std::vector<std::string> names;
+        names.reserve(parts.size());
         for (auto const& part : parts)
             names.push_back(part.name);
         throw InputError(

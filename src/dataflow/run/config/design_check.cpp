@@ -120,6 +120,7 @@ class DesignCheck {
     }
     Names module_names() const {
         Names names;
+        names.reserve(core_.modules.size());
         for (ModuleDescription const& module : core_.modules)
             names.push_back(module.name);
         return names;

@@ -32,8 +32,9 @@ RunStatistics collect_from(DataflowAccelerator& accelerator, std::size_t first, 
     }
     RunStatistics run =
         replay::collect(cores, accelerator.machine(), accelerator.memory(), accelerator.loaded(), others);
-    for (std::size_t i = first; i < end && !run.deadlocked(); ++i)
-        require_results(*accelerator.cores()[i]);
+    if (!run.deadlocked())
+        for (std::size_t i = first; i < end; ++i)
+            require_results(*accelerator.cores()[i]);
     return run;
 }
 

@@ -26,7 +26,7 @@ std::uint64_t ProcessClock::step_of(unsigned port) const {
 void ProcessClock::end_body() {
     last_attempt_.reset();
     attempted_ = timing::Ports();
-    if (may_wait_ && !std::exchange(has_waited_, false))
+    if (may_wait_ && !has_waited_)
         await_writes(pipelined_);
     has_waited_ = false;
     if (!makes_attempts_)

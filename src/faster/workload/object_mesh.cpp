@@ -119,16 +119,20 @@ bool is_mesh_file(std::string const& name) {
     return name.find('/') != std::string::npos || files::has_mesh_extension(name);
 }
 
+std::string object_fault(std::string const& name) {
+    if (is_mesh_file(name) || models::contains(name))
+        return {};
+    return "a built-in class or a mesh file" + did_you_mean(name, models::names());
+}
+
 Mesh object_mesh(std::string const& name, std::string const& key, MeshFilesConfig const& files) {
     if (is_mesh_file(name)) {
         return scaled(files::load_mesh(name, {files.time_limit_s, files.memory_limit_mib, files.file_limit_mib,
                                               "workload.mesh_files"}),
                       files.scale);
     }
-    if (!models::contains(name)) {
-        throw InputError(fmt::format("{} = {}, expected a built-in class or a mesh file{}", key, name,
-                                     did_you_mean(name, models::names())));
-    }
+    if (std::string const expected = object_fault(name); !expected.empty())
+        throw InputError(fmt::format("{} = {}, expected {}", key, name, expected));
     return models::make(name);
 }
 

@@ -20,6 +20,9 @@ std::string size_warning(Mesh const& mesh, std::string const& file);
 /// reading a mesh file may take, and its unit.
 Mesh object_mesh(std::string const& name, std::string const& key, MeshFilesConfig const& files = {});
 
+/// What is expected instead of an object's name, for messages; empty if it is a mesh file's or a built-in class's.
+std::string object_fault(std::string const& name);
+
 /// Whether an object is a mesh file, not a built-in class.
 bool is_mesh_file(std::string const& name);
 

@@ -1,9 +1,7 @@
 #include "modules/core/faster_design.hpp"
 
-#include <fmt/format.h>
 #include <string_view>
 
-#include "dataflow/base/nearest_name.hpp"
 #include "dataflow/run/config/config_sources.hpp"
 #include "faster/config/clear_design.hpp"
 #include "faster/config/faster_complaints.hpp"
@@ -12,7 +10,6 @@
 #include "faster/config/faster_presets.hpp"
 #include "faster/data/sample_counters.hpp"
 #include "faster/workload/files/trace_manifest.hpp"
-#include "faster/workload/models/builtin_models.hpp"
 #include "faster/workload/object_mesh.hpp"
 #include "modules/core/raster_core_description.hpp"
 
@@ -33,11 +30,9 @@ std::string memory_split_by(std::string const& key) {
 /// Before anything is simulated: a sweep names a class that there is not before its first point.
 void check_object(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     WorkloadConfig const& workload = workload_of(loaded.config);
-    std::string const& object = workload.target.object;
-    if (workload.trace.empty() && !workload::is_mesh_file(object) && !models::contains(object))
-        complaints.push_back(
-            complaint(loaded, "workload.object",
-                      fmt::format("a built-in class or a mesh file{}", did_you_mean(object, models::names()))));
+    std::string const expected = workload::object_fault(workload.target.object);
+    if (workload.trace.empty() && !expected.empty())
+        complaints.push_back(complaint(loaded, "workload.object", expected));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
 #include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/key_ranges.hpp"
 
 namespace dataflow {
 
@@ -55,8 +56,8 @@ class DesignCheck {
             for (FifoEnd const& end : module.ends)
                 check_end(module, end);
             for (NumberDescription const& number : module.numbers)
-                check_range("the number " + number.name + " of module " + module.name, number.value, number.least,
-                            number.most);
+                check_range("the number " + number.name + " of module " + module.name, number.value,
+                            {static_cast<std::int64_t>(number.least), static_cast<std::int64_t>(number.most)});
             for (LoopDescription const& loop : module.loops)
                 check_loop(module, loop);
         }
@@ -94,7 +95,8 @@ class DesignCheck {
                              ", expected another module's writes_to(\"" + end.fifo + "\")" +
                              did_you_mean(end.fifo, core_.fifos));
         if (end.writes)
-            check_range("the depth of the FIFO " + end.fifo, end.depth, 1, end.buffer_words > 0 ? 1024 : 1'048'576);
+            check_range("the depth of the FIFO " + end.fifo, end.depth,
+                        end.buffer_words > 0 ? buffers_range : fifo_depth_range);
         if (!end.loop.empty())
             keyed_loop(module, end.loop);
         if (end.makes_attempts)
@@ -127,16 +129,16 @@ class DesignCheck {
     }
 
     /// Defaults are within what their keys may say.
-    static void check_range(std::string const& what, std::uint64_t value, std::uint64_t least, std::uint64_t most) {
-        if (value < least || value > most)
-            throw InputError(what + " is " + std::to_string(value) + ", expected " + std::to_string(least) + " to " +
-                             std::to_string(most));
+    static void check_range(std::string const& what, std::uint64_t value, IntegerRange const& range) {
+        if (value < static_cast<std::uint64_t>(range.min) || value > static_cast<std::uint64_t>(range.max))
+            throw InputError(what + " is " + std::to_string(value) + ", expected " + std::to_string(range.min) +
+                             " to " + std::to_string(range.max));
     }
     static void check_defaults(std::string const& name, LoopDescription const& loop) {
-        check_range("the initiation interval of loop " + name, loop.interval, 1, most_cycles);
-        check_range("the recurrence of loop " + name, loop.recurrence, 1, most_cycles);
+        check_range("the initiation interval of loop " + name, loop.interval, cycles_range);
+        check_range("the recurrence of loop " + name, loop.recurrence, cycles_range);
         check_range(std::string(loop.is_pipelined ? "the pipeline depth" : "the number of states") + " of loop " + name,
-                    loop.depth, 1, most_cycles);
+                    loop.depth, cycles_range);
     }
 
     /// What the other's keys do not say is the same, or nothing of this loop could be changed as they say.
@@ -220,8 +222,6 @@ class DesignCheck {
     static bool hold(Conditions const& conditions) {
         return std::all_of(conditions.begin(), conditions.end(), [](Condition const& one) { return one.holds; });
     }
-
-    static constexpr std::uint64_t most_cycles = 1'000'000;
 
     CoreDescription const& core_;
     Names memories_;

@@ -8,11 +8,10 @@
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/key_ranges.hpp"
 
 namespace dataflow {
 namespace {
-
-constexpr IntegerRange cycles_range{1, 1'000'000};
 
 template <class Value> Value value_or(std::optional<Value> const& value, Value otherwise) {
     return value.value_or(otherwise);
@@ -120,7 +119,7 @@ void add_buffers_key(Keys& keys, FifoEnd const& written) {
     keys.push_back(step_key(
         {fifo_key_name(written.fifo, "depth"), "buffers", fmt::format("Ping-pong buffers: {}.", written.tokens),
          "HLS default"},
-        {1, 1024}, [name = written.fifo](auto& settings) -> decltype(auto) { return settings.fifo(name); },
+        buffers_range, [name = written.fifo](auto& settings) -> decltype(auto) { return settings.fifo(name); },
         [](auto& settings) -> auto& { return settings.depth; }, FifoSettings::default_depth));
 }
 
@@ -133,7 +132,7 @@ void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& n
     keys.push_back(step_key(
         {fifo_key_name(name, "depth"), "tokens",
          fmt::format("Depth of the FIFO: {}.", writing_end(core, name).end.tokens), "HLS default"},
-        {1, 1'048'576}, fifo, [](auto& settings) -> auto& { return settings.depth; },
+        fifo_depth_range, fifo, [](auto& settings) -> auto& { return settings.depth; },
         writing_end(core, name).end.depth));
     keys.push_back(choice_key(
         {fifo_key_name(name, "kind"), "",

@@ -39,7 +39,7 @@ std::string head(Budget const& budget, std::string const& date) {
 
 bool has_any(Measurement const& measurement, char const* figures) {
     FigurePattern const pattern(figures);
-    auto const all = measurement.figures.all();
+    std::vector<Figure> const& all = measurement.figures.all();
     return std::any_of(all.begin(), all.end(), [&](Figure const& figure) { return pattern.matches(figure.name); });
 }
 

@@ -47,6 +47,10 @@ void ProcessClock::refuse_inside(char const* what) const {
                      " inside of a step or an iteration of a loop, expected it before or behind that");
 }
 
+void ProcessClock::refuse_outside(char const* what) const {
+    throw InputError("module " + timing_.name() + " " + what + " outside of any loop, expected enter_loop() before it");
+}
+
 void ProcessClock::access_closely(timing::Ports port) {
     if (is_in_tokens_body_)
         refuse_in_tokens_body(fifos_[port.first()]->timing().name());

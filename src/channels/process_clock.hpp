@@ -91,9 +91,11 @@ class ProcessClock {
     }
     /// Between iterations of a loop: a setup begins; the loop waits until the oldest one not awaited yet is done.
     void begin_setup() {
+        require_loop("begins a setup");
         say([](OperationLog& log) { log.begin_setup(); });
     }
     void await_setup() {
+        require_loop("awaits a setup");
         say([](OperationLog& log) { log.await_setup(); });
     }
     /// Where the next access outside loops stands in the source. Deadlock reports name it, or the begin of a loop.
@@ -111,8 +113,9 @@ class ProcessClock {
     }
 
     void enter_loop(unsigned loop, SourceSite site = SourceSite::here()) {
-        if (collecting_)
+        if (collecting_ || is_in_loop_)
             refuse_inside("begins a loop");
+        is_in_loop_ = true;
         if (stream_ != nullptr)
             enter_memory(loop);
         timing_.note_loop_site(loop, site);
@@ -121,6 +124,7 @@ class ProcessClock {
     /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing. Inlined by force:
     /// the scan says little else.
     [[gnu::always_inline]] void iterate(timing::Ports ports, std::uint64_t count, std::uint16_t gap = 0) {
+        require_loop("does an iteration");
         say([=](OperationLog& log) {
             std::uint64_t left = count;
             for (; left > longest_count; left -= longest_count)
@@ -130,19 +134,24 @@ class ProcessClock {
     }
     /// `count` iterations that access `ports`, one that accesses `tail_ports`, and `tail_gap` that access nothing.
     void iterate_with_tail(timing::Ports ports, std::uint32_t count, timing::Ports tail_ports, std::uint32_t tail_gap) {
+        require_loop("does an iteration");
         say([=](OperationLog& log) { log.iterate_with_tail(ports.number(), count, tail_ports.number(), tail_gap); });
     }
     /// An iteration that accesses `ports`, one that accesses `tail_ports`, then iterate_with_tail() for the other
     /// `count` - 1, which is not 0.
     void iterate_flanked(timing::Ports ports, std::uint32_t count, timing::Ports tail_ports, std::uint32_t tail_gap) {
+        require_loop("does an iteration");
         say([=](OperationLog& log) { log.iterate_flanked(ports.number(), count, tail_ports.number(), tail_gap); });
     }
     /// `length` iterations that access `ports`, the i-th followed by a silent one if bit i of `gaps` is set; at
     /// most 32.
     void iterate_mixed(timing::Ports ports, unsigned length, std::uint32_t gaps) {
+        require_loop("does an iteration");
         say([=](OperationLog& log) { log.iterate_mixed(ports.number(), length, gaps); });
     }
     void leave_loop() {
+        require_loop("leaves a loop");
+        is_in_loop_ = false;
         say([](OperationLog& log) { log.leave(); });
     }
     /// All of a pipelined loop: `count` iterations of `body`, which is called with their numbers from 0 on. What it
@@ -394,6 +403,11 @@ class ProcessClock {
             refuse_inside(what);
     }
     [[noreturn]] void refuse_inside(char const* what) const;
+    void require_loop(char const* what) const {
+        if (!is_in_loop_)
+            refuse_outside(what);
+    }
+    [[noreturn]] void refuse_outside(char const* what) const;
     void access_closely(timing::Ports port);
     [[noreturn]] void refuse_in_tokens_body(std::string const& what) const;
     void require_no_late_access(timing::LoopShape const& loop) const;
@@ -450,6 +464,7 @@ class ProcessClock {
     std::vector<Interlock> interlocks_;
     std::map<FifoEnd::When, timing::Ports> hand_overs_;
     SourceSite site_;
+    bool is_in_loop_ = false;
     bool collecting_ = false;
     timing::Ports collected_;
 

@@ -100,6 +100,34 @@ TEST_CASE("no time passes inside of a step or an iteration, and no loop begins t
             [](ProcessClock& clock) { clock.pipeline_while("inner", [](std::uint64_t) { return false; }); });
 }
 
+TEST_CASE("iterations and setups are told inside of a loop only, and a loop is left once") {
+    auto const refused = [](std::string const& what, std::function<void(ProcessClock&)> const& outside) {
+        Pair pair = sound_pair();
+        pair.writes = [&](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+            clock.enter_loop(clock.loop("send"));
+            clock.leave_loop();
+            outside(clock);
+            fifo.write(1);
+        };
+        check_both(pair, "module writer " + what + " outside of any loop, expected enter_loop() before it");
+    };
+    refused("leaves a loop", [](ProcessClock& clock) { clock.leave_loop(); });
+    refused("does an iteration", [](ProcessClock& clock) { clock.iterate(timing::no_ports, 3); });
+    refused("does an iteration", [](ProcessClock& clock) { clock.iterate_mixed(timing::no_ports, 3, 1); });
+    refused("begins a setup", [](ProcessClock& clock) { clock.begin_setup(); });
+    refused("awaits a setup", [](ProcessClock& clock) { clock.await_setup(); });
+
+    Pair pair = sound_pair();
+    pair.writer.loop("inner").of_depth(2);
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>&) {
+        clock.enter_loop(clock.loop("send"));
+        clock.enter_loop(clock.loop("inner"));
+    };
+    check_both(pair,
+               "module writer begins a loop inside of a step or an iteration of a loop, expected it before or "
+               "behind that");
+}
+
 TEST_CASE("a body that is called with tokens accesses nothing itself, whatever the loop") {
     auto const refused = [](std::string const& what) {
         return "module writer accesses " + what +

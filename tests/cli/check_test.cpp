@@ -332,7 +332,7 @@ TEST_CASE("All shipped budgets together are quick", "[resources]") {
     Words words = shipped_budgets();
     words.emplace_back("-j1");
     double fastest = 100;
-    for (int i = 0; i < 3; ++i) {  // the machine may be busy with something else
+    for (int i = 0; i < 3 && fastest >= 8; ++i) {  // the machine may be busy with something else
         CommandResult const result = check(folder, words);
         require_done(result);
         fastest = std::min(fastest, result.seconds);

@@ -74,8 +74,7 @@ NOT_RUN = {
 
 # Part of a command: why it is run with --long only.
 LONG = {
-    "sensitivities out/banana.events      # and how far": "first_hour.md's, which is run",
-    "sensitivities out/banana.events                          # which": "first_hour.md's, which is run",
+    "sensitivities out/banana.events": "half a minute",
     "architecture=setup_overlap": "a measurement",
     "size-fifos out/": "minutes",
     "cosim main_job": "half a minute",

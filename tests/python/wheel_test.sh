@@ -29,7 +29,9 @@ fi
 "$scratch/builder/bin/pip" wheel --quiet --no-build-isolation --no-index --no-deps --wheel-dir "$scratch" "$scratch/sources"
 wheel=$(echo "$scratch"/faster_sim-*-linux_*.whl)
 [[ -f "$wheel" ]] || fail "no wheel, or one that is not of this platform: $(ls "$scratch")"
-(cd "$scratch/sources" && "$scratch/builder/bin/pip" install --quiet --no-build-isolation --no-index .)
+if [[ "$1" == none ]]; then
+    (cd "$scratch/sources" && "$scratch/builder/bin/pip" install --quiet --no-build-isolation --no-index .)
+fi
 
 "$python" -m venv --without-pip "$scratch/fresh"
 pip=("$scratch/builder/bin/pip" --python "$scratch/fresh/bin/python")

@@ -207,6 +207,12 @@ TEST_CASE("What is wrong with a BOP folder is one line that says where", "[bop]"
         CHECK_THAT(complaint(folder), Catch::StartsWith("models/models_info.json: 1.symmetries_discrete[0] = an array "
                                                         "of 16, expected a rotation (R^T R differs"));
     }
+    SECTION("a symmetry by columns") {
+        folder.replace("models/models_info.json", "0, 0, 0, 0, 1, 0, 0, 0, 0, 1]]", "0, 0, 0, 0, 1, 0, 0, 0, 10, 1]]");
+        CHECK(complaint(folder) ==
+              "models/models_info.json: 1.symmetries_discrete[0] = an array of 16, expected "
+              "0, 0, 0, 1 as its last row");
+    }
     SECTION("cut off") {
         folder.replace("test/000001/scene_gt.json", "]\n}", "");
         CHECK_THAT(complaint(folder), Catch::StartsWith("test/000001/scene_gt.json:"));
@@ -235,6 +241,12 @@ TEST_CASE("What is wrong with a BOP folder is one line that says where", "[bop]"
         folder.replace("test/000001/scene_gt_info.json", "\"3\"", "\"4\"");
         CHECK(complaint(folder) ==
               "test/000001/scene_gt.json: 4 = an array of 2, expected an image that scene_camera.json has, too");
+    }
+    SECTION("a camera with skew") {
+        folder.replace("test/000002/scene_camera.json", "[60.0, 0.0", "[60.0, 0.5");
+        CHECK(complaint(folder) ==
+              "test/000002/scene_camera.json: 0.cam_K = an array of 9, expected a camera "
+              "without skew, row by row: fx, 0, cx, 0, fy, cy, 0, 0, 1");
     }
     SECTION("a negative box") {
         folder.replace("test/000001/scene_gt_info.json", "[10, 12, 20", "[10, 12, -20");

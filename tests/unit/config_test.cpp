@@ -253,7 +253,8 @@ TEST_CASE("A partition needs a type, words for its banks, and no more banks than
           "test.yaml:3: accelerator.brams.edge_map.partition.factor = 33, expected at most 1024 banks in all, with "
           "accelerator.brams.edge_map.partition.dimension = 0 (default)");
     CHECK(set_error("accelerator.brams.edge_map.partition.type=cyclc") ==
-          "--set accelerator.brams.edge_map.partition.type=cyclc: expected one of none, cyclic, block");
+          "--set accelerator.brams.edge_map.partition.type=cyclc: expected one of none, cyclic, block, did you mean "
+          "cyclic?");
     RunConfig const config =
         loaded("accelerator:\n  brams:\n    edge_map: {partition: {type: cyclic, factor: 32}}\n").config;
     CHECK(accelerator_of(config).memory(BramId::edge_map).partition.factor == 32);

@@ -251,6 +251,8 @@ TEST_CASE("STL is read as text and binary, whatever its header says", "[mesh_rea
     binary += "ab";
     CHECK(read("a.stl", binary).faces.size() == 1);
     CHECK_THAT(error("a.stl", binary.substr(0, binary.size() - 1)), Contains("(it ends early)"));
+    CHECK_THAT(error("a.stl", binary + std::string(50, '\0')),
+               Contains("has the bytes of 2 triangles, expected 1 as its header says"));
 }
 
 TEST_CASE("OFF is read with colours, normals and comments, and with counts behind its keyword", "[mesh_readers]") {

@@ -73,6 +73,8 @@ std::map<int, ObjectModel> models_by_name(std::set<fs::path> const& meshes, std:
 /// A symmetry: a 4 x 4 matrix, row by row, that maps the model to itself [mm].
 Pose read_symmetry(JsonNode const& node, MendedRotations& mended) {
     std::vector<double> const m = node.numbers(16);
+    if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1)
+        node.fail("0, 0, 0, 1 as its last row");
     Pose pose;
     std::string problem;
     pose.rotation = mended.taken(files::matrix_of({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}), problem);

@@ -21,6 +21,8 @@ void read_camera(JsonNode const& node, DatasetImage& image) {
     std::vector<double> const k = node.at("cam_K").numbers(9);
     if (!(k[0] > 0 && k[4] > 0))
         node.at("cam_K").fail("focal lengths above 0");
+    if (k[1] != 0 || k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1)
+        node.at("cam_K").fail("a camera without skew, row by row: fx, 0, cx, 0, fy, cy, 0, 0, 1");
     image.camera = {image.camera.width, image.camera.height, k[0], k[4], k[2], k[5]};
     auto const scale = node.find("depth_scale");
     image.depth_unit_m = files::m_per_mm * (scale ? scale->number_above_zero() : 1);

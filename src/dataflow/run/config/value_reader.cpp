@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "dataflow/base/nearest_name.hpp"
 #include "dataflow/base/printable.hpp"
 #include "dataflow/base/utf8.hpp"
 #include "dataflow/run/config/plain_text.hpp"
@@ -113,7 +114,7 @@ class ValueReader {
     std::optional<KeyValue> choice(Key const& key, YAML::Node const& node) const {
         auto const name = text(node);
         if (!name || std::find(key.choices.begin(), key.choices.end(), *name) == key.choices.end()) {
-            expected(node, expectation(key));
+            expected(node, expectation(key) + did_you_mean(name.value_or(""), key.choices));
             return std::nullopt;
         }
         return name;

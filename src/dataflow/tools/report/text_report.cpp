@@ -159,7 +159,8 @@ std::string deadlock_report(RunStatistics const& run) {
     std::string text;
     line(text, "deadlock at cycle {}: nothing can move", run.deadlock_cycle());
     std::vector<StuckProcess> const circle = run.wait_cycle();
-    line(text, "wait-for cycle:");
+    if (!circle.empty())
+        line(text, "wait-for cycle:");
     for (StuckProcess const& process : circle)
         line(text, "  {}", describe(process));
     std::uint64_t const first_core = run.stuck.front().core;

@@ -54,7 +54,7 @@ void accumulate(Numbers32& sums, Numbers32& total, int rows) {
 }
 
 void write_total(Numbers32& total, std::int32_t& out) {
-    FASTER_STATES(answer, 18);  // its state, and those until the memory has answered
+    FASTER_STATES(answer, 19);  // its state, and those until the memory has answered
     out = total.read();
 }
 

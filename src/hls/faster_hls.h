@@ -23,7 +23,7 @@
 #define FASTER_PIPELINE_2(name, ii) FASTER_LOOP_MARK(name, ii, 2, true)
 #define FASTER_PIPELINE_3(name, ii, depth) FASTER_LOOP_MARK(name, ii, depth, true)
 #define FASTER_LOOP(name, states) FASTER_LOOP_MARK(name, states, states, false)
-#define FASTER_STATES(name, states) FASTER_LOOP_MARK(name, states, states, false)
+#define FASTER_STATES(name, states) FASTER_LOOP_MARK(name, 0, states, false)
 #else
 // NOLINTBEGIN(bugprone-macro-parentheses): the tool's pragma takes a number
 #define FASTER_PIPELINE_2(name, ii) FASTER_PRAGMA(HLS PIPELINE II = ii)

@@ -15,11 +15,17 @@ using untimed::LoopMark;
 
 void HlsDesign::complete() {
     untimed::streams_of_design = nullptr;
+    if (std::count(streams_.begin(), streams_.end(), nullptr) > 0)
+        throw InputError("a stream of the design is gone when its constructor ends, expected streams as members");
     for (untimed::StreamBase* const stream : streams_) {
         std::string name = stream->name().empty() ? "stream" + std::to_string(stream->number()) : stream->name();
         for (char& letter : name)
             if (std::isalnum(static_cast<unsigned char>(letter)) == 0)
                 letter = '_';
+        if (std::any_of(streams_.begin(), streams_.end(), [&](untimed::StreamBase const* other) {
+                return other->number() < stream->number() && other->name() == name;
+            }))
+            throw InputError("two streams of the design have the name " + name + ", expected another for one of them");
         stream->rename(name);
     }
     if (processes_.empty())
@@ -50,7 +56,7 @@ class DiscoveredProcess {
         used_in_.resize(loops_.size());
         is_run_.resize(loops_.size());
         begins_with_states_ =
-            !events.empty() && events[0].what == Event::What::enter && !loops_[events[0].number].is_pipelined;
+            !events.empty() && events[0].what == Event::What::enter && is_entered(loops_[events[0].number]);
         std::size_t loop = 0;
         for (Event const& event : events) {
             if (event.what == Event::What::enter)
@@ -84,6 +90,8 @@ class DiscoveredProcess {
     }
 
   private:
+    /// In a state before its first iteration.
+    static bool is_entered(LoopMark const& loop) { return !loop.is_pipelined && loop.ii > 0; }
     static void add(Accesses& accesses, Access const& access) {
         if (std::find(accesses.begin(), accesses.end(), access) == accesses.end())
             accesses.push_back(access);
@@ -161,7 +169,8 @@ class Describer {
         bool const only_writes = std::none_of(process.ends().begin(), process.ends().end(), [&](Access const& end) {
             return !end.writes && process.uses(loop, end);
         });
-        return std::min(mark.depth, process.attempts(access) && !only_writes ? mark.ii : mark.depth) - 1;
+        bool const is_early = process.attempts(access) && !only_writes && mark.ii > 0;
+        return std::min(mark.depth, is_early ? mark.ii : mark.depth) - 1;
     }
 
     std::string reader_of(std::size_t stream) const {
@@ -179,6 +188,8 @@ class Describer {
             loop.does("is pipelined").of_depth(mark.depth).of_ii(mark.ii);
         else
             loop.does("is not pipelined").of_states(mark.depth);
+        if (mark.ii == 0)
+            loop.does("takes its states").enters_in(0).leaves_in(0);
         std::vector<std::string> writes;
         std::vector<std::string> reads;
         for (Access const& access : process.ends())

@@ -36,7 +36,10 @@ class HlsDesign {
   public:
     HlsDesign(HlsDesign const&) = delete;
     HlsDesign& operator=(HlsDesign const&) = delete;
-    virtual ~HlsDesign() = default;
+    virtual ~HlsDesign() {
+        if (untimed::streams_of_design == &streams_)  // its constructor has thrown
+            untimed::streams_of_design = nullptr;
+    }
 
     /// What came out of the call that has ended: the counters of facts().
     virtual Counters results() const { return {}; }

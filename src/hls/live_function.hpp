@@ -25,6 +25,7 @@ class LiveFunction final : public untimed::Observer {
     void wrote(untimed::StreamBase& stream) override;
     bool attempts(untimed::StreamBase const& stream, untimed::Attempt const& attempt) override;
     void asks_size(untimed::StreamBase const& stream) override { untimed::refuse_size(stream); }
+    void meets_stranger(untimed::StreamBase const& stream) override { untimed::refuse_stranger(stream); }
     void begins_iteration(untimed::LoopMark const& loop) override;
     void ends_iteration(untimed::LoopMark const& loop) noexcept override;
 

@@ -49,6 +49,7 @@ void LoopRecorder::put_around(Open& outer) {
         throw InputError("process " + process_ + " has a marked loop in its pipelined loop " + loop.name +
                          ", which a tool would unroll, expected a mark of one of the two only");
     outer.is_around = true;
+    around_.insert(outer.loop);
     for (Access const& one : std::exchange(outer.accesses, {}))
         access(one);
 }
@@ -79,9 +80,30 @@ void LoopRecorder::end() {
         events_.push_back({Event::What::iterate, group});
 }
 
+/// Iterations of loops around others in which those have none are no different: what they access is outside loops.
+Events LoopRecorder::as_parts(Events const& events) {
+    Events parts;
+    bool is_around = false;
+    for (Event const& event : events) {
+        if (event.what == Event::What::enter)
+            is_around = around_.count(event.number) != 0;
+        if (!is_around) {
+            parts.push_back(event);
+            continue;
+        }
+        if (event.what == Event::What::iterate)
+            for (std::uint64_t i = 0; i < event.count; ++i)
+                for (Access const& one : Accesses(groups_[event.number]))
+                    parts.push_back({Event::What::access, group_of({one})});
+        is_around = event.what != Event::What::leave;
+    }
+    return parts;
+}
+
 Events LoopRecorder::take() {
     leave();
-    return std::exchange(events_, {});
+    Events const events = std::exchange(events_, {});
+    return around_.empty() ? events : as_parts(events);
 }
 
 }  // namespace dataflow::untimed

@@ -64,6 +64,7 @@ class LoopRecorder {
     std::size_t number_of(LoopMark const& loop);
     std::size_t group_of(Accesses const& accesses);
     void leave();
+    Events as_parts(Events const& events);
     void put_around(Open& outer);
 
     std::string process_;
@@ -71,6 +72,7 @@ class LoopRecorder {
     std::vector<Accesses> groups_;
     std::map<Accesses, std::size_t> group_numbers_;
     std::set<Access> attempts_;
+    std::set<std::size_t> around_;  ///< loops that have had a marked one in them
     std::vector<Open> open_;
     bool is_in_loop_ = false;
     std::size_t loop_ = 0;  // that it is in

@@ -10,7 +10,7 @@ namespace dataflow::untimed {
 /// What the wrapper of a loop says of it (hls/faster_hls.h).
 struct LoopMark {
     char const* name;
-    unsigned ii;     ///< initiation interval asked for; of a loop that is not pipelined, the states of an iteration
+    unsigned ii;     ///< initiation interval asked for; of a loop that is not pipelined, its states; 0: it is no loop
     unsigned depth;  ///< stages of an iteration, unless a configuration says otherwise
     bool is_pipelined;
 };
@@ -36,6 +36,8 @@ class Observer {
     virtual bool attempts(StreamBase const& stream, Attempt const& attempt) = 0;
     /// size(), which no hardware counts. Throws.
     virtual void asks_size(StreamBase const& stream) = 0;
+    /// Something is done to a stream that no design has, and that the function has not made itself. Throws.
+    virtual void meets_stranger(StreamBase const& stream) = 0;
     virtual void begins_iteration(LoopMark const& loop) = 0;
     /// Does not throw: it may be called because something has been thrown.
     virtual void ends_iteration(LoopMark const& loop) noexcept = 0;
@@ -50,7 +52,11 @@ class StreamBase {
   public:
     StreamBase(StreamBase const&) = delete;
     StreamBase& operator=(StreamBase const&) = delete;
-    virtual ~StreamBase() = default;
+    virtual ~StreamBase() {
+        if (streams_of_design != nullptr && number_ < streams_of_design->size() &&
+            (*streams_of_design)[number_] == this)
+            (*streams_of_design)[number_] = nullptr;  // HlsDesign::complete() refuses it
+    }
 
     std::string const& name() const { return name_; }
     void rename(std::string name) { name_ = std::move(name); }
@@ -75,13 +81,21 @@ class StreamBase {
     }
     void set_depth(unsigned depth) { depth_ = depth; }
 
-    Observer* watcher() const { return is_of_design() ? observer : nullptr; }
+    /// None of what a function keeps to itself: that takes no time, as its arrays.
+    Observer* watcher() const {
+        if (observer == nullptr || is_of_design())
+            return observer;
+        if (!is_made_by_function_)
+            observer->meets_stranger(*this);
+        return nullptr;
+    }
 
   private:
     static constexpr std::size_t of_no_design = ~std::size_t{0};
     std::string name_;
     std::size_t number_ = of_no_design;
     unsigned depth_ = 0;
+    bool is_made_by_function_ = observer != nullptr;
 };
 
 /// An iteration of a loop: the rest of the scope in which it stands.

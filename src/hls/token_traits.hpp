@@ -1,13 +1,15 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 
 namespace dataflow::untimed {
 
-/// How wide a token is, and the number that waveforms show of it: of numbers their value, of anything else its first
-/// eight bytes. A struct is as wide as its memory; who wants its wires counted specializes this for it.
+/// How wide a token is, and the number that waveforms show of it: of integers their value, of fixed-point numbers their
+/// bits, of anything else its first eight bytes. A struct is as wide as its memory; who wants its wires counted
+/// specializes this for it.
 template <class Token> struct TokenTraits {
     static unsigned bits() {
         if constexpr (std::is_same_v<Token, bool>)
@@ -30,6 +32,8 @@ template <class Token> struct TokenTraits {
     static std::int64_t shown(Token const& token) {
         if constexpr (std::is_integral_v<Token> || std::is_enum_v<Token>) {
             return static_cast<std::int64_t>(token);
+        } else if constexpr (decltype(has_word_length<Token>(0))::value) {
+            return static_cast<std::int64_t>(std::ldexp(token.to_double(), token.wl() - token.iwl()));
         } else if constexpr (decltype(has_int64<Token>(0))::value) {
             return static_cast<std::int64_t>(token.to_int64());
         } else {

@@ -15,11 +15,18 @@ namespace {
 struct GivenUp {};
 /// Rounds in which functions have looked for tokens, and nobody has done anything else, before they are given up.
 constexpr std::size_t most_idle_rounds = 100'000;
+/// In a stream, in a call; half a gigabyte.
+constexpr std::size_t most_tokens = std::size_t{1} << 26U;
 }  // namespace
 
 void refuse_size(StreamBase const& stream) {
     throw InputError("stream " + stream.name() + " is asked for its size(), which hardware does not count, expected " +
                      "empty() or full()");
+}
+
+void refuse_stranger(StreamBase const& stream) {
+    throw InputError("stream " + stream.name() + " is none of the design's, expected streams between functions as " +
+                     "members of the class that derives HlsDesign");
 }
 
 /// Whose turn it is: that of a function, each of which has a thread, or that of the network.
@@ -83,6 +90,9 @@ class UntimedNetwork::Watcher final : public Observer {
         if (written.size() <= stream.number())
             written.resize(stream.number() + 1);
         written[stream.number()].push_back(stream.shown_last());
+        if (written[stream.number()].size() > most_tokens)
+            throw InputError("a function of the design has written more than " + std::to_string(most_tokens) +
+                             " tokens into stream " + stream.name() + ", expected one that returns");
     }
     bool attempts(StreamBase const& stream, Attempt const& attempt) override {
         Access const access{stream.number(), attempt.writes};
@@ -100,6 +110,7 @@ class UntimedNetwork::Watcher final : public Observer {
         return finds;
     }
     void asks_size(StreamBase const& stream) override { refuse_size(stream); }
+    void meets_stranger(StreamBase const& stream) override { refuse_stranger(stream); }
     void begins_iteration(LoopMark const& loop) override { recorder().begin(loop); }
     void ends_iteration(LoopMark const& /*loop*/) noexcept override { recorder().end(); }
 

@@ -13,6 +13,7 @@ namespace dataflow::untimed {
 
 /// Throws InputError.
 [[noreturn]] void refuse_size(StreamBase const& stream);
+[[noreturn]] void refuse_stranger(StreamBase const& stream);
 
 /// A function of a design, with its arguments.
 struct ProcessCall {

@@ -1,8 +1,14 @@
-// The tools' types by their names, and streams of them, as plain C++: what the headers alone do.
+// The tools' types by their names, and streams of them, as plain C++: what the headers alone do. And what is seen of
+// functions that run without time.
 #include <ap_fixed.h>
 #include <ap_int.h>
 #include <cstdio>
-#include <hls_stream.h>
+#include <cstdlib>
+#include <faster_hls.h>
+#include <hls_design.hpp>
+
+#include "dataflow/base/input_error.hpp"
+#include "hls/untimed_network.hpp"
 
 namespace {
 
@@ -14,7 +20,99 @@ void check(bool holds, char const* what) {
     failures += holds ? 0 : 1;
 }
 
+/// Where one side has a sign, the other none, and both have up to 64 bits.
+void check_signs() {
+    ap_int<8> s = -5;
+    ap_uint<8> const a = 200, b = 100;
+    check(s < b && !(s < ap_int<4>(-6)) && a > -1 && s < 3U && -1 < a && b - a < 0, "compares numbers, not bits");
+    check(a == 200U && s != 251 && s == -5 && ap_uint<64>(-1) > s, "equal if the number is");
+    int const quotient = static_cast<int>((b - a) / 3);
+    check(quotient == -33 && (s * b) / 7 == -71 && s % b == -5 && a * -2 == -400 && 7 - b == -93, "arithmetic");
+    check(static_cast<double>(b - a) == -100.0 && static_cast<double>(s * a) == -1000.0, "of a double");
+    check(ap_fixed<16, 10, AP_TRN, AP_SAT>(b - a).to_double() == -100.0, "and of a fixed-point number");
+    check((ap_uint<32>(-1) * ap_uint<32>(-1)) == 0xFFFFFFFE00000001U, "64 bits without a sign");
+    check(-a == -200 && (a & s) == 200 && (s | b) == -1 && (a ^ s) == -205, "bits as of numbers");
+    ap_uint<16> const inverted = ~a;
+    check(inverted == 55 && !static_cast<bool>(~ap_uint<1>(1)) && ~s == 4, "inverts its own bits");
+    ap_uint<16> const moved = a << 1;
+    check(moved == 144 && (s << 1) == -10 && (s >> 1) == -3 && (a >> b) == 0 && (s >> 64) == -1, "shifts");
+    check((ap_uint<32>(1) << 64) == 0 && (ap_uint<64>(5) >> 64) == 0 && (ap_int<8>(40) << -2) == 10 &&
+              (ap_int<8>(40) >> -2) == -96,
+          "shifts by more than there is, and the other way");
+    s = s + b;
+    check(s == 95, "adds up");
+}
+
+template <class Does> bool is_refused(Does does) {
+    try {
+        does();
+    } catch (dataflow::InputError const&) {
+        return true;
+    }
+    return false;
+}
+
+/// Rows of two, none and one number.
+struct Rows : dataflow::HlsDesign {
+    hls::stream<int> number{"number"};
+    Rows() {
+        process("writer", [this] {
+            for (int const length : {2, 0, 1}) {
+                FASTER_LOOP(rows, 1);
+                for (int i = 0; i < length; ++i) {
+                    FASTER_PIPELINE(row, 1);
+                    number.write(i);
+                }
+            }
+        });
+        dataflow::untimed::streams_of_design = nullptr;
+    }
+};
+
+void check_loops_around_others() {
+    Rows const rows;
+    dataflow::untimed::UntimedNetwork network(rows.processes());
+    network.run();
+    using What = dataflow::untimed::Event::What;
+    dataflow::untimed::Events const& events = network.events()[0];
+    check(events.size() == 6 && events[2].what == What::leave && events[3].what == What::enter &&
+              events[1].count == 2 && events[4].count == 1,
+          "a loop around others takes no time where those have no iteration");
+}
+
+hls::stream<int> of_no_design("of_no_design");  // NOLINT(cert-err58-cpp)
+
+struct Stranger : dataflow::HlsDesign {
+    Stranger() {
+        process("writer", [] { of_no_design.write(1); });
+        dataflow::untimed::streams_of_design = nullptr;
+    }
+};
+
+struct Forgetful : dataflow::HlsDesign {
+    Forgetful() {
+        hls::stream<int> const gone("gone");
+        process("writer", [] {});
+    }
+};
+
+void check_streams_of_nobody() {
+    Stranger const stranger;
+    dataflow::untimed::UntimedNetwork network(stranger.processes());
+    check(is_refused([&] { network.run(); }), "a stream of no design");
+    check(Forgetful().streams().front() == nullptr, "a stream that is gone");
+}
+
+void check_shown_tokens() {
+    using Traits = dataflow::untimed::TokenTraits<ap_fixed<12, 4>>;
+    check(Traits::shown(1.25) == 320 && Traits::shown(-0.25) == -64, "bits of a fixed-point number");
+}
+
 }  // namespace
+
+// The libraries want a program's design, for which nobody asks here.
+dataflow::Design const& dataflow::design() { std::abort(); }
+dataflow::SimulatedDesign const& dataflow::simulated_design() { std::abort(); }
 
 int sc_main(int /*argc*/, char** /*argv*/) {
     using Saturated = ap_fixed<8, 4, AP_RND, AP_SAT>;
@@ -36,5 +134,9 @@ int sc_main(int /*argc*/, char** /*argv*/) {
     check(wide.bits() == 70 && !wide.is_signed() && wide.depth() == 4, "70 bits, 4 deep");
     wide.write(5);
     check(wide.read().to_int() == 5, "a wide one");
+    check_signs();
+    check_loops_around_others();
+    check_streams_of_nobody();
+    check_shown_tokens();
     return failures;
 }

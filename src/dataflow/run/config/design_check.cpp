@@ -85,6 +85,8 @@ class DesignCheck {
             for (LoopDescription const& loop : module.loops)
                 if (hold(loop.conditions))
                     loops.add(loop.name);
+            if (module.setup)
+                loops.add("setup");  // has keys like a loop's
         }
     }
 

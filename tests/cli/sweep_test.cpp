@@ -69,8 +69,7 @@ void check_against_run(SweepWorkspace const& workspace, Row const& row) {
     CHECK(whole("port_conflict_cycles") == sum_of<Count>(run["modules"], {"port_conflict_cycles"}));
     CHECK(whole("fifo_full_stall_cycles") == sum_of<Count>(run["fifos"], {"full_stall_cycles"}));
     CHECK(whole("fifo_empty_stall_cycles") == sum_of<Count>(run["fifos"], {"empty_stall_cycles"}));
-    CHECK(std::stod(row.at("ramb36")) == sum_of<double>(run["brams"], {"ramb36"}));
-    for (char const* const column : {"lut", "ff", "dsp"})
+    for (char const* const column : {"ramb36", "lut", "ff", "dsp"})
         CHECK(std::stod(row.at(column)) == run["resources"]["cores"][column].get<double>());
 }
 
@@ -219,16 +218,27 @@ TEST_CASE("Points of a trace are those of runs of it", "[sweeps]") {
     SweepWorkspace const workspace;
     require_done(workspace.tool({"record", "config.yaml", "--out", "trace", "--set", "accelerator.window=40"}));
     workspace.folder().write("sweep.yaml",
-                             "format: faster-sweep\nversion: 1\nset: {workload.trace: trace}\ndimensions:\n"
+                             "format: faster-sweep\nversion: 1\nset: {workload.trace: trace, "
+                             "accelerator.fifos.edge_token.depth: 4096}\ndimensions:\n"
                              "  - {key: accelerator.raster_cores, values: [1, 2]}\n");
     require_done(workspace.sweep("out"));
     std::vector<Row> const rows = rows_of(workspace.text("out/results.csv"));
     for (std::size_t i = 0; i < 2; ++i) {
         require_done(workspace.tool({"run", "config.yaml", "--trace", "trace", "--out", "run", "--set",
-                                     "accelerator.raster_cores=" + std::to_string(i + 1)}));
+                                     "accelerator.raster_cores=" + std::to_string(i + 1), "--set",
+                                     "accelerator.fifos.edge_token.depth=4096"}));
         Json const run = workspace.summary("run");
         CHECK(rows[i].at("total_cycles") == run["total_cycles"].dump());
-        CHECK(std::stod(rows[i].at("ramb36")) == sum_of<double>(run["brams"], {"ramb36"}));
+        CHECK(std::stod(rows[i].at("ramb36")) == run["resources"]["cores"]["ramb36"].get<double>());
+    }
+}
+
+TEST_CASE("A point that is ended before it has begun is a failed one, and no interruption", "[sweeps]") {
+    SweepWorkspace const workspace;
+    for (int i = 0; i < 3; ++i) {
+        CommandResult const result = workspace.sweep("out" + std::to_string(i), {"-j1", "--time-limit", "0.001"});
+        CHECK(result.exit_code == 1);
+        CHECK_THAT(result.err, Contains("failed") && !Contains("interrupted"));
     }
 }
 

@@ -26,6 +26,25 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// Signals wait, for the thread that makes one and what it forks meanwhile: until a child has let them through, its
+/// handlers would tell the parent.
+class SignalsWait {
+  public:
+    SignalsWait() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_BLOCK, &all, &before_);
+    }
+    ~SignalsWait() { end(); }
+    SignalsWait(SignalsWait const&) = delete;
+    SignalsWait& operator=(SignalsWait const&) = delete;
+
+    void end() const { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+  private:
+    sigset_t before_{};
+};
+
 /// A child that writes its result into a pipe. The destructor ends and buries one that still runs.
 class Child {
   public:
@@ -36,10 +55,11 @@ class Child {
             throw HostError(std::string("no pipe for another process (") + std::strerror(errno) +
                             "), expected room for more open files");
         pid_t const parent = getpid();
+        SignalsWait const wait;
         process_ = fork();
         if (process_ == 0) {
             close(ends[0]);
-            run(task, parent, ends[1]);
+            run(task, parent, ends[1], wait);
         }
         close(ends[1]);
         pipe_ = ends[0];
@@ -117,11 +137,12 @@ class Child {
         return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
     }
 
-    [[noreturn]] static void run(Task const& task, pid_t parent, int pipe) {
+    [[noreturn]] static void run(Task const& task, pid_t parent, int pipe, SignalsWait const& wait) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != parent)
             _exit(EXIT_FAILURE);
         let_signals_through();
+        wait.end();
         dup2(STDERR_FILENO, STDOUT_FILENO);  // what the work may print must not get into the parent's tables
         try {
             std::string const output = task.work();

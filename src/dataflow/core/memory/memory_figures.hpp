@@ -46,17 +46,17 @@ class ControllerHistory {
   public:
     static constexpr std::size_t most_stretches = 512;
     struct Stretch {
-        std::uint64_t granules = 0;       ///< of bursts that arrived in it
+        std::uint64_t beats = 0;          ///< of bursts that arrived in it
         std::uint64_t largest_queue = 0;  ///< found by one of those, itself included
     };
 
-    void arrived(Cycles cycle, std::uint64_t granules, std::uint64_t queue) {
+    void arrived(Cycles cycle, std::uint64_t beats, std::uint64_t queue) {
         while (cycle / stretch_cycles_ >= most_stretches)
             double_stretches();
         std::size_t const at = cycle / stretch_cycles_;
         if (at >= stretches_.size())
             stretches_.resize(at + 1);
-        stretches_[at].granules += granules;
+        stretches_[at].beats += beats;
         stretches_[at].largest_queue = std::max(stretches_[at].largest_queue, queue);
     }
     Cycles stretch_cycles() const { return stretch_cycles_; }
@@ -67,8 +67,7 @@ class ControllerHistory {
         for (std::size_t i = 0; i < stretches_.size(); ++i) {
             Stretch const from = stretches_[i];
             Stretch& to = stretches_[i / 2];
-            to = i % 2 == 0 ? from
-                            : Stretch{to.granules + from.granules, std::max(to.largest_queue, from.largest_queue)};
+            to = i % 2 == 0 ? from : Stretch{to.beats + from.beats, std::max(to.largest_queue, from.largest_queue)};
         }
         stretches_.resize((stretches_.size() + 1) / 2);
         stretch_cycles_ *= 2;

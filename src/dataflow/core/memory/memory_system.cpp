@@ -76,7 +76,7 @@ MemorySystem::Served MemorySystem::serve() {
     controller_free_ps = begin + burst.granules * shape_.granule_ps;
     controller_.granules += burst.granules;
     note_queue(arrival, begin);
-    controller_.history.arrived(ask + shape_.request_cycles, burst.granules, begins_ps_.size());
+    controller_.history.arrived(ask + shape_.request_cycles, burst.beats, begins_ps_.size());
     Cycles cycle = (begin + shape_.latency_ps + shape_.period_ps - 1) / shape_.period_ps;
     if (!master.stream().is_write()) {
         Cycles& port_free = ports_free_[shape_.is_shared ? joint.port : number];

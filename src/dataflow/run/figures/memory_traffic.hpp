@@ -37,7 +37,7 @@ inline constexpr Column<MasterStatistics> master_columns[]{
 
 /// A stretch of time at the controller.
 struct TrafficStretch {
-    std::uint64_t bytes = 0;          ///< of granules of bursts that arrived in it
+    std::uint64_t bytes = 0;          ///< of bursts that arrived in it, in whole beats
     std::uint64_t largest_queue = 0;  ///< that one of those found, itself included
 };
 

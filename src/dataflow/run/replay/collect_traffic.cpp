@@ -32,7 +32,7 @@ MemoryTraffic collect_traffic(timing::MemorySystem const& memory, Machine const&
     timing::ControllerHistory const& history = memory.controller().history;
     traffic.stretch_cycles = history.stretch_cycles();
     for (timing::ControllerHistory::Stretch const& stretch : history.stretches())
-        traffic.stretches.push_back({stretch.granules * timing::ExternalMemory::granule_bytes, stretch.largest_queue});
+        traffic.stretches.push_back({stretch.beats * shape.port_bytes, stretch.largest_queue});
     for (timing::PortFigures const& port : memory.ports())
         traffic.port_beats.push_back(port.beats);
     for (std::size_t core = 0; core < cores; ++core)

@@ -31,8 +31,8 @@ Status status_from_name(std::string const& name) {
 
 /// Of all cores.
 void set_resources(Machine const& machine, PointResult& result) {
-    result.ramb36 = ramb36_of_core(machine) * static_cast<double>(machine.cores);
     Resources const cores = resources_of(machine).cores.amount;
+    result.ramb36 = cores.ramb36;
     result.lut = cores.lut;
     result.ff = cores.ff;
     result.dsp = cores.dsp;

@@ -131,6 +131,27 @@ TEST_CASE("whatif reports a deadlock as a run does") {
     CHECK(workspace.summary("out") == summary);
 }
 
+TEST_CASE("What was done until a deadlock is the same in both engines, and in a what-if") {
+    SmallWorkspace const workspace;
+    for (std::string const depth : {"fragment_depth.depth=1", "fragment_index.depth=1"}) {
+        CAPTURE(depth);
+        Words const stuck{"--set", "accelerator.fifos." + depth, "--set", "accelerator.raster_cores=1"};
+        for (std::string const engine : {"lockstep", "decoupled"}) {
+            Words words{"--set", "simulation.engine=" + engine, "--out", engine};
+            words.insert(words.end(), stuck.begin(), stuck.end());
+            CHECK(workspace.run(words).exit_code == 3);
+        }
+        require_done(workspace.run({"--events", "events"}));
+        Words words{"whatif", "events", "--out", "retimed"};
+        words.insert(words.end(), stuck.begin(), stuck.end());
+        CHECK(run_command(FASTER_SIM_BINARY, words, workspace.folder().path()).exit_code == 3);
+        Json const partial = workspace.summary("lockstep")["partial"];
+        CHECK(!partial["fifos"].empty());
+        CHECK(partial == workspace.summary("decoupled")["partial"]);
+        CHECK(partial == workspace.summary("retimed")["partial"]);
+    }
+}
+
 TEST_CASE("A run that deadlocks writes no event file") {
     Workspace const workspace;
     CommandResult const result = workspace.tool(

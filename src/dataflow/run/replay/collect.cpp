@@ -191,6 +191,20 @@ void add_stuck(timing::CoreTiming& core, std::uint64_t index, std::vector<StuckP
                          std::string(wait.site.file) + ":" + std::to_string(wait.site.line)});
 }
 
+/// Lookups charge a flushing pipeline ahead with the bubbles before its next token, which does not come here.
+void take_back_bubbles(timing::CoreTiming& core, timing::Wait const& wait, std::vector<FifoStatistics>& fifos) {
+    for (timing::ProcessTiming const& process : core.processes())
+        for (unsigned port = 0; port < process.port_count(); ++port)
+            if (process.flushes() && process.name() == wait.process && process.fifo(port).name() == wait.fifo)
+                fifos[core.number_of(process.fifo(port))].empty_stall_cycles -= process.local_time() - wait.since;
+}
+
+void take_back_bubbles(timing::CoreTiming& core, std::vector<FifoStatistics>& fifos) {
+    for (timing::Wait const& wait : core.waits())
+        if (!wait.to_write)
+            take_back_bubbles(core, wait, fifos);
+}
+
 }  // namespace
 
 Cycles load_cycles(Machine const& machine, std::vector<timing::LoadedRange> loaded) {
@@ -220,6 +234,7 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& mac
         add_stuck(core.timing, index, run.stuck);
         add_samples(core, index, machine, run.samples);
         run.cores.push_back(core_statistics(core, machine));
+        take_back_bubbles(core.timing, run.cores.back().fifos);
         run.total_cycles = std::max(run.total_cycles, run.cores.back().end_cycle);
     }
     for (std::size_t k = 0; k < run.cores.size(); ++k) {

@@ -58,10 +58,11 @@ template <class A> A shifted(A const& a, Wide left) {
 
 namespace sc_dt {  // where the compiler looks for operators of these types
 
-#define FASTER_AP_COMPARISON(op)                                                      \
-    template <class A, class B, faster_ap::IfSides<A, B> = 0>                         \
-    bool operator op(A const& a, B const& b) { /* NOLINT(bugprone-macro-parentheses) */ \
-        return faster_ap::wide(a) op faster_ap::wide(b);                              \
+// NOLINTBEGIN(bugprone-macro-parentheses): operators, and arguments of templates
+#define FASTER_AP_COMPARISON(op)                              \
+    template <class A, class B, faster_ap::IfSides<A, B> = 0> \
+    bool operator op(A const& a, B const& b) {                \
+        return faster_ap::wide(a) op faster_ap::wide(b);      \
     }
 FASTER_AP_COMPARISON(==)
 FASTER_AP_COMPARISON(!=)
@@ -71,9 +72,9 @@ FASTER_AP_COMPARISON(>)
 FASTER_AP_COMPARISON(>=)
 #undef FASTER_AP_COMPARISON
 
-#define FASTER_AP_OPERATOR(op, result_bits)                                                          \
-    template <class A, class B, faster_ap::IfSides<A, B> = 0>                                        \
-    faster_ap::Result<A, B, result_bits> operator op(A const& a, B const& b) {                       \
+#define FASTER_AP_OPERATOR(op, result_bits)                                                                 \
+    template <class A, class B, faster_ap::IfSides<A, B> = 0>                                               \
+    faster_ap::Result<A, B, result_bits> operator op(A const& a, B const& b) {                              \
         return static_cast<faster_ap::Result<A, B, result_bits>>(faster_ap::wide(a) op faster_ap::wide(b)); \
     }
 FASTER_AP_OPERATOR(+, (faster_ap::most_bits<A, B> + 1))
@@ -85,6 +86,7 @@ FASTER_AP_OPERATOR(&, (faster_ap::most_bits<A, B>))
 FASTER_AP_OPERATOR(|, (faster_ap::most_bits<A, B>))
 FASTER_AP_OPERATOR(^, (faster_ap::most_bits<A, B>))
 #undef FASTER_AP_OPERATOR
+// NOLINTEND(bugprone-macro-parentheses)
 
 /// As wide as the left side.
 template <class A, class B, faster_ap::IfSides<A, B> = 0, std::enable_if_t<faster_ap::Side<A>::is_ap, int> = 0>

@@ -91,7 +91,7 @@ class DiscoveredProcess {
 
   private:
     /// In a state before its first iteration.
-    static bool is_entered(LoopMark const& loop) { return !loop.is_pipelined && loop.ii > 0; }
+    static bool is_entered(LoopMark const& loop) { return !loop.is_pipelined && !loop.is_block(); }
     static void add(Accesses& accesses, Access const& access) {
         if (std::find(accesses.begin(), accesses.end(), access) == accesses.end())
             accesses.push_back(access);
@@ -169,7 +169,7 @@ class Describer {
         bool const only_writes = std::none_of(process.ends().begin(), process.ends().end(), [&](Access const& end) {
             return !end.writes && process.uses(loop, end);
         });
-        bool const is_early = process.attempts(access) && !only_writes && mark.ii > 0;
+        bool const is_early = process.attempts(access) && !only_writes && !mark.is_block();
         return std::min(mark.depth, is_early ? mark.ii : mark.depth) - 1;
     }
 
@@ -188,7 +188,7 @@ class Describer {
             loop.does("is pipelined").of_depth(mark.depth).of_ii(mark.ii);
         else
             loop.does("is not pipelined").of_states(mark.depth);
-        if (mark.ii == 0)
+        if (mark.is_block())
             loop.does("takes its states").enters_in(0).leaves_in(0);
         std::vector<std::string> writes;
         std::vector<std::string> reads;

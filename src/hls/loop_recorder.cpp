@@ -102,8 +102,10 @@ Events LoopRecorder::as_parts(Events const& events) {
 
 Events LoopRecorder::take() {
     leave();
-    Events const events = std::exchange(events_, {});
-    return around_.empty() ? events : as_parts(events);
+    Events events = std::exchange(events_, {});
+    if (!around_.empty())
+        events = as_parts(events);
+    return events;
 }
 
 }  // namespace dataflow::untimed

@@ -13,6 +13,9 @@ struct LoopMark {
     unsigned ii;     ///< initiation interval asked for; of a loop that is not pipelined, its states; 0: it is no loop
     unsigned depth;  ///< stages of an iteration, unless a configuration says otherwise
     bool is_pipelined;
+
+    /// A block of states, with none before its first and none behind its last.
+    bool is_block() const { return ii == 0; }
 };
 
 class StreamBase;

@@ -39,7 +39,7 @@ TEST_CASE("To record a run that hardly repeats itself takes little more memory, 
     std::vector<std::string> const run{"run",   folder.write("empty.yaml", ""),
                                        "--set", "workload.max_triangles=12",
                                        "--set", "workload.samples.rotation_sigma_deg=180",
-                                       "--set", "workload.samples.count=200",
+                                       "--set", "workload.samples.count=400",
                                        "--set", "workload.scene.table=false",
                                        "--set", "accelerator.fraction_bits.vertex_xy=4",
                                        "--set", "workload.pose.translation_m=[0,0,0.4]"};

@@ -216,7 +216,7 @@ TEST_CASE("Model and reference agree with every edge map algorithm", "[golden][e
         CAPTURE(static_cast<int>(algorithm));
         RandomStimulusOptions options;
         options.samples = {8, 8};
-        check_traces(seed, 20, options, algorithm);
+        check_traces(seed, 40, options, algorithm);
         options.window = {200, 200};
         options.width = {160, 640};
         options.height = {120, 480};

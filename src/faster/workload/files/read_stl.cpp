@@ -42,10 +42,13 @@ float float_at(char const* bytes) {
 }
 
 void read_binary(std::filesystem::path const& path, std::string_view file, MeshBuilder& mesh) {
-    std::uint64_t const room = file.size() < stl_header_bytes ? 0 : (file.size() - stl_header_bytes) / triangle_bytes;
-    if (file.size() < stl_header_bytes || room < announced_triangles(file))
-        fail(path, "cannot be read as a mesh (it ends early), expected a valid stl file");
+    constexpr char const* ends_early = "cannot be read as a mesh (it ends early), expected a valid stl file";
+    if (file.size() < stl_header_bytes)
+        fail(path, ends_early);
     std::uint64_t const triangles = announced_triangles(file);
+    std::uint64_t const room = (file.size() - stl_header_bytes) / triangle_bytes;
+    if (room < triangles)
+        fail(path, ends_early);
     if (room > triangles)
         fail(path, fmt::format("has the bytes of {} triangles, expected {} as its header says", room, triangles));
     auto const place = [&] { return path.string(); };

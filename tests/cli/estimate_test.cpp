@@ -265,6 +265,18 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
                                             "0", "--object", "1"}),
                         {"scene_gt.json: 0[0].cam_R_m2c"});
     }
+    SECTION("of several instances the nearest is the truth") {
+        dataset.add_cylinder(0.1);
+        std::filesystem::remove(dataset / "test_targets_bop19.json");  // all that is annotated is to be found
+        dataset.write("true.json", true_box(5));
+        require_done(estimate({"--object", "5", "--detections", (dataset / "true.json").string(), "--out", "two"}));
+        Json const found = workspace.json("two/estimate.json");
+        CHECK(found["adds_mm"].get<double>() < 25);
+        CHECK(found["truth"]["translation_m"][0].get<double>() == Approx(0.07));
+        require_done(workspace.run({"evaluate", "two/bop.csv", dataset.path().string(), "--out", "judged"}));
+        CHECK_THAT(workspace.text("judged/errors.csv"),
+                   Contains(fmt::format(",{:.6f},", found["adds_mm"].get<double>() / 1000)));
+    }
     SECTION("depth as TIFF, of another unit, and a confidence of 3, are said") {
         std::string const depth = (dataset / "test/000001/depth/000000").string();
         CommandResult const as_png = estimate({"--object", "1"});
@@ -350,6 +362,36 @@ TEST_CASE("Instances of an object are looked for in the best boxes one by one", 
     CHECK(lines_of(workspace.text("all/results.csv")).size() == 3);
 }
 
+TEST_CASE("Without a detector the most visible instances are looked for", "[estimate][bop]") {
+    Workspace const workspace;
+    BopFolder const dataset;
+    dataset.add_cylinder(0.1);
+    dataset.replace("test/000001/scene_gt_info.json", "[11, 13, 9, 8]", "[90, 90, 1, 1]");
+    dataset.write("test_targets_bop19.json", R"([{"scene_id": 1, "im_id": 0, "obj_id": 5}])");  // of both
+    auto const estimates_of = [&](char const* name) {
+        require_done(workspace.estimate({"--all", "--bop", dataset.path().string(), "--out", name, "--set",
+                                         "estimator.iterations=1", "--set", "workload.samples.count=4"}));
+        return lines_of(workspace.text(name + std::string("/results.csv"))).size() - 1;
+    };
+    CHECK(estimates_of("both") == 2);
+    dataset.replace("test_targets_bop19.json", "5}", "5, \"inst_count\": 1}");
+    CHECK(estimates_of("one") == 1);
+}
+
+TEST_CASE("Boxes outside of their images are left out, and that is said", "[estimate][bop]") {
+    Workspace const workspace;
+    BopFolder const dataset;
+    dataset.write("boxes.json", some_boxes(20));
+    dataset.replace("boxes.json", "[20,", "[70,");
+    CommandResult const result = workspace.estimate({"--all", "--bop", dataset.path().string(), "--out", "all",
+                                                     "--detections", (dataset / "boxes.json").string(), "--set",
+                                                     "estimator.iterations=1", "--set", "workload.samples.count=4"});
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, Contains("boxes outside of their images are left out: 1, such as [70, 10.5, 20, 20.25] in "
+                                    "image 0 of scene 1"));
+    CHECK_THAT(result.out, Contains("8 targets, 6 without a box; 2 estimates"));
+}
+
 TEST_CASE("An estimate of all needs a dataset, a folder and boxes, and is of no single object", "[estimate][bop]") {
     Workspace const workspace;
     BopFolder const dataset;
@@ -358,10 +400,14 @@ TEST_CASE("An estimate of all needs a dataset, a folder and boxes, and is of no 
     check_bad_input(workspace.estimate({"--all", "--bop", folder}), {"--all", "--bop DIR and --out DIR"});
     check_bad_input(workspace.estimate({"--all", "--bop", folder, "--out", "all", "--object", "1"}),
                     {"--all: expected none of --scene"});
+    check_bad_input(workspace.estimate({"--all", "--bop", folder, "--out", "all", "--scene", "0"}),
+                    {"--all: expected none of --scene"});
     dataset.write("boxes.json", "[]");
     check_bad_input(workspace.estimate(
                         {"--all", "--bop", folder, "--out", "all", "--detections", (dataset / "boxes.json").string()}),
                     {"boxes.json: has a box for none of the 8 targets"});
+    dataset.write("test_targets_bop19.json", "[]");
+    check_bad_input(workspace.estimate({"--all", "--bop", folder, "--out", "all"}), {"has no targets, expected some"});
     CHECK_FALSE(workspace.has("all"));
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "faster/dataflow_names.hpp"
+#include "support/bop_folder.hpp"
 #include "support/command.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
@@ -11,6 +12,7 @@
 namespace experiment_test {
 
 using namespace faster::test;
+using Json = nlohmann::json;
 using Catch::Matchers::Contains;
 using Words = std::vector<std::string>;
 
@@ -105,6 +107,34 @@ TEST_CASE("Every estimate that is 2 cm off has a reason that its row of failures
     for (std::string const& row : lines_of(workspace.text("out/failures.csv")))
         if (cells_of(row).front() == "dark" && std::stod(cells_of(row)[9]) >= 20)
             CHECK(cells_of(row).back() == "box");
+}
+
+TEST_CASE("Each instance of an object of a dataset is looked for, and judged by the pose nearest to it",
+          "[experiment]") {
+    Workspace const workspace;
+    BopFolder const dataset;
+    dataset.add_cylinder(1);
+    dataset.write("test_targets_bop19.json", R"([{"scene_id": 1, "im_id": 0, "obj_id": 5}])");
+    dataset.replace("test/000001/scene_gt_info.json", "[11, 13, 9, 8]", "[1, 13, 9, 8]");
+    workspace.folder().write("experiment.yaml",
+                             "format: faster-experiment\nversion: 1\n"
+                             "set: {workload.samples.count: 12, estimator.iterations: 2, workload.max_triangles: 200}\n"
+                             "scenes: {real: {dataset: " +
+                                 dataset.path().string() + "}}\nmethods: {faster: {}}\n");
+    require_done(workspace.experiment({"--out", "out"}));
+    Json const boxes = Json::parse(workspace.text("out/boxes/real.json"));
+    REQUIRE(boxes.size() == 2);
+    CHECK(boxes[0]["score"] != boxes[1]["score"]);
+    std::vector<std::string> const rows = lines_of(workspace.text("out/estimates.csv"));
+    REQUIRE(rows.size() == 3);
+    CHECK(cells_of(rows[1]).back() != cells_of(rows[2]).back());
+    CHECK(lines_of(workspace.text("out/results/real/faster.csv")).size() == 3);
+
+    // What poses are judged with decides about the result.
+    std::filesystem::create_directory(dataset / "models_eval");
+    std::filesystem::copy(dataset / "models/obj_000001.ply", dataset / "models_eval/obj_000005.ply");
+    std::filesystem::copy(dataset / "models/models_info.json", dataset / "models_eval/models_info.json");
+    CHECK_THAT(workspace.experiment({"--out", "out"}).out, Contains("0 of them done already"));
 }
 
 TEST_CASE("An experiment refuses in one line what it cannot use", "[experiment]") {

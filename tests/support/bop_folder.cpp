@@ -74,8 +74,7 @@ std::string const models_info = R"({
        "symmetries_continuous": [{"axis": [0, 0, 2], "offset": [0, 0, 0]}]}
 })";
 
-std::string gt_of(int obj_id, int im_id) {
-    Pose const pose = BopFolder::pose_of(obj_id, im_id);
+std::string gt_of(int obj_id, Pose const& pose) {
     auto const& r = pose.rotation;
     Eigen::Vector3d const t = 1000 * pose.translation;
     return fmt::format(R"({{"cam_R_m2c": [{:.9f}, {:.9f}, {:.9f}, {:.9f}, {:.9f}, {:.9f}, {:.9f}, {:.9f}, {:.9f}],)"
@@ -83,6 +82,8 @@ std::string gt_of(int obj_id, int im_id) {
                        r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2), t.x(), t.y(),
                        t.z(), obj_id);
 }
+
+std::string gt_of(int obj_id, int im_id) { return gt_of(obj_id, BopFolder::pose_of(obj_id, im_id)); }
 
 std::string gt_info_of(double visible) {
     return fmt::format(R"({{"bbox_obj": [10, 12, 20, 22], "bbox_visib": [11, 13, 9, 8], "px_count_all": 400,)"
@@ -155,6 +156,13 @@ BopFolder::BopFolder() {
 }
 
 void BopFolder::write(std::string const& file, std::string const& content) const { folder_.write(file, content); }
+
+void BopFolder::add_cylinder(double visible_share) const {
+    Pose pose = pose_of(cylinder, 0);
+    pose.translation.x() -= 0.3;
+    replace("test/000001/scene_gt.json", R"("0": [)", R"("0": [)" + gt_of(cylinder, pose) + ", ");
+    replace("test/000001/scene_gt_info.json", R"("0": [)", R"("0": [)" + gt_info_of(visible_share) + ", ");
+}
 
 void BopFolder::replace(std::string const& file, std::string const& from, std::string const& to) const {
     std::string content = content_of(path() / file);

@@ -23,6 +23,8 @@ class BopFolder {
     /// Replaces `from` in a file of the dataset, which must hold it.
     void replace(std::string const& file, std::string const& from, std::string const& to) const;
     void write(std::string const& file, std::string const& content) const;
+    /// Annotates another cylinder in image 0 of scene 1, before all others, 0.3 m left of the one that is there.
+    void add_cylinder(double visible_share) const;
 
     static constexpr int box = 1;
     static constexpr int cylinder = 5;

@@ -202,6 +202,15 @@ TEST_CASE("What is wrong with a BOP folder is one line that says where", "[bop]"
         folder.replace("models/models_info.json", "\"5\"", "\"6\"");
         CHECK(complaint(folder) == "models/models_info.json: no key 5, expected one for obj_000005.ply");
     }
+    SECTION("two meshes of an object") {
+        fs::copy(folder / "models/obj_000005.ply", folder / "models/obj_5.ply");
+        CHECK(complaint(folder) ==
+              "models/obj_5.ply: is object 5, as obj_000005.ply is, expected one mesh of an object");
+    }
+    SECTION("more than all of an object visible") {
+        folder.replace("test/000001/scene_gt_info.json", "\"visib_fract\": 1", "\"visib_fract\": 1.5");
+        CHECK_THAT(complaint(folder), Catch::Contains("visib_fract = 1.5, expected a share of the object, at most 1"));
+    }
     SECTION("a symmetry that is none") {
         folder.replace("models/models_info.json", "[[-1, 0", "[[-2, 0");
         CHECK_THAT(complaint(folder), Catch::StartsWith("models/models_info.json: 1.symmetries_discrete[0] = an array "
@@ -369,7 +378,9 @@ TEST_CASE("Targets in images that are not at hand are left out, and counted", "[
     fs::remove_all(folder / "test/000002");
     Dataset const dataset = read_dataset(folder.path());
     CHECK(dataset.targets.size() == 3);
-    CHECK(dataset.targets_elsewhere == 5);
+    REQUIRE(dataset.warnings_of_targets.size() == 1);
+    CHECK(dataset.warnings_of_targets[0].find("5 of 8 targets are in images that are not at hand") !=
+          std::string::npos);
     CHECK(dataset.images.size() == 2);
 }
 
@@ -382,10 +393,25 @@ TEST_CASE("Targets of the challenge of 2024 are images, in which everything is t
     REQUIRE(dataset.targets.size() == 2);
     CHECK(dataset.targets[1].image == ImageId{2, 3});
     CHECK(dataset.targets[1].obj_id == 5);
-    CHECK(dataset.targets_elsewhere == 1);
+    REQUIRE(dataset.warnings_of_targets.size() == 1);
+    CHECK(dataset.warnings_of_targets[0].find("1 of 2 targets are in images that are not at hand") !=
+          std::string::npos);
     folder.write("test_targets_bop24.json", R"([{"im_id": 0, "scene_id": 1, "obj_id": 5}])");
     REQUIRE(read_dataset(folder.path()).targets.size() == 1);
     CHECK(read_dataset(folder.path()).targets[0].inst_count == 1);
+}
+
+TEST_CASE("A target counts once, and is one even if nobody annotated it", "[bop]") {
+    BopFolder const folder;
+    folder.write("test_targets_bop19.json", R"([{"im_id": 0, "scene_id": 1, "obj_id": 5, "inst_count": 1},
+        {"im_id": 0, "scene_id": 1, "obj_id": 7}, {"im_id": 0, "scene_id": 1, "obj_id": 5, "inst_count": 2}])");
+    Dataset const dataset = read_dataset(folder.path());
+    REQUIRE(dataset.targets.size() == 2);
+    CHECK(dataset.targets[0].inst_count == 2);
+    CHECK(dataset.targets[1].obj_id == 7);
+    CHECK(dataset.targets[1].inst_count == 1);
+    REQUIRE(dataset.warnings_of_targets.size() == 1);
+    CHECK_THAT(dataset.warnings_of_targets[0], Catch::Contains("1 rows name a target that another row names"));
 }
 
 TEST_CASE("JSON as loaders of Python take it: rows in rows, remarks, whole numbers with a point", "[bop]") {
@@ -545,6 +571,9 @@ TEST_CASE("A score that is no confidence from 0 to 1 is refused, one that is mis
         "bbox": [-1, -1, -1, -1], "score": 0.5}, {"scene_id": 1, "image_id": 2, "category_id": 3, "score": 0.5}])"));
     CHECK_THAT(input_error_text([&] { sound(odd[0]); }), Catch::Contains("[0].bbox = an array of 4, expected a box"));
     CHECK_THAT(input_error_text([&] { sound(odd[1]); }), Catch::Contains("[1]: no key bbox, expected one"));
+    auto const flat = detections_of(folder.write("f.json", R"([{"scene_id": 1, "image_id": 2, "category_id": 3,
+        "bbox": [5, 5, 0, 9], "score": 0.5}])"));
+    CHECK_THAT(input_error_text([&] { sound(flat[0]); }), Catch::Contains("expected a box of something seen"));
 }
 
 TEST_CASE("Results that are written are read back", "[bop]") {

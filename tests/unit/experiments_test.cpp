@@ -111,14 +111,15 @@ TEST_CASE("A made scene has five to seven objects, and shows as much of the want
 }
 
 TEST_CASE("A detector that makes no errors sees the annotated box", "[experiments]") {
-    auto const boxes = boxes_of_detector(target, true_box, {{1, 2, 3, 4}}, {}, 3);
+    auto const boxes = boxes_of_detector(target, 0, true_box, {{1, 2, 3, 4}}, {}, 3);
     REQUIRE(boxes.size() == 1);
     CHECK(boxes[0].box.left == Approx(100));
     CHECK(boxes[0].box.height == Approx(60));
     CHECK(boxes[0].obj_id == 5);
     CHECK(boxes[0].image == target.image);
     CHECK(boxes[0].score > 0.4);
-    CHECK(boxes_of_detector(target, true_box, {{1, 2, 3, 4}}, {}, 3)[0].score == boxes[0].score);
+    CHECK(boxes_of_detector(target, 0, true_box, {{1, 2, 3, 4}}, {}, 3)[0].score == boxes[0].score);
+    CHECK(boxes_of_detector(target, 1, true_box, {{1, 2, 3, 4}}, {}, 3)[0].score != boxes[0].score);
 }
 
 TEST_CASE("A detector's boxes are shifted, scaled, missing and wrong as often and as far as its model says",
@@ -130,7 +131,7 @@ TEST_CASE("A detector's boxes are shifted, scaled, missing and wrong as often an
     for (int seed = 0; seed < count; ++seed) {
         bool has_right = false;
         for (bop::Detection const& seen :
-             boxes_of_detector(target, true_box, {{600, 400, 8, 9}}, model, static_cast<std::uint64_t>(seed))) {
+             boxes_of_detector(target, 0, true_box, {{600, 400, 8, 9}}, model, static_cast<std::uint64_t>(seed))) {
             if (seen.box.left > 400) {
                 ++wrong;
                 continue;

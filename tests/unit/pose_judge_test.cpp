@@ -9,6 +9,8 @@
 #include "poses/judging/evaluation_json.hpp"
 #include "poses/judging/evaluation_text.hpp"
 #include "poses/judging/judge.hpp"
+#include "poses/judging/scores.hpp"
+#include "poses/judging/visible_surface.hpp"
 #include "support/bop_folder.hpp"
 #include "support/input_error_text.hpp"
 
@@ -151,6 +153,13 @@ TEST_CASE("Two instances of an object are matched, and only as many as the targe
     CHECK(judgement.instances[0].add_m == Approx(0.03));
     CHECK(judgement.instances[1].visible_share == 0.9);
     CHECK(judgement.instances[1].add_m == Approx(0.01));
+    REQUIRE(judgement.estimates.size() == 2);  // each from the nearest
+    CHECK(judgement.estimates[0].line == 2);
+    CHECK(judgement.estimates[0].add_m == Approx(0.01));
+    CHECK(judgement.estimates[1].add_m == Approx(0.03));
+    image.objects[0].visible_share.reset();  // nobody says that it is hidden
+    CHECK(judged(dataset, estimates).instances[0].visible_share == std::nullopt);
+    image.objects[0].visible_share = 0.1;
     dataset.targets[0].inst_count = 4;
     Judgement const fewer = judged(dataset, estimates);
     CHECK(fewer.instances.size() == 3);
@@ -227,6 +236,36 @@ TEST_CASE("Rows are objects, all and their mean, and methods are compared on the
         for (Interval const& score : row.scores)
             CHECK((std::isnan(score.value) || (score.low <= score.value && score.value <= score.high)));
     }
+}
+
+TEST_CASE("What is not known of one object is not known of the objects' mean", "[pose_judge]") {
+    BopFolder const folder;
+    Dataset const dataset = bop::read_dataset(folder.path());
+    Judgement judgement = judged(dataset, shifted_truths(dataset, 0));
+    for (InstanceErrors& instance : judgement.instances)
+        if (instance.obj_id == BopFolder::box)
+            instance.vsd_recall.reset();
+    Evaluation const evaluation = evaluate(dataset, {{"a", judgement, -1}}, {0, 3, 20});
+    auto const vsd_of = [&](char const* object) {
+        for (ScoreRow const& row : evaluation.rows)
+            if (row.object == object)
+                for (std::size_t score = 0; score < score_count; ++score)
+                    if (std::string(score_facts[score].name) == "vsd_recall")
+                        return row.scores[score];
+        throw std::logic_error("no VSD");
+    };
+    CHECK(vsd_of("obj_000005").value == Approx(100));
+    CHECK(std::isnan(vsd_of("obj_000001").value));
+    CHECK(std::isnan(vsd_of("mean").value));
+    CHECK(std::isnan(vsd_of("mean").low));
+}
+
+TEST_CASE("An object a hand's breadth away is drawn, and has a VSD", "[pose_judge]") {
+    Camera const camera = BopFolder::camera();
+    Pose near;
+    near.translation = {0, 0, 0.12};  // its near side is at 7 cm
+    DistanceImage const drawn = drawn_distances(BopFolder::mesh_of(BopFolder::box), near, camera);
+    CHECK(drawn.at(23, 31) == Approx(0.07).epsilon(0.01));
 }
 
 TEST_CASE("What two methods both miss does not part them in any draw", "[pose_judge]") {

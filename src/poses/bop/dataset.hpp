@@ -100,7 +100,7 @@ struct Dataset {
     std::map<int, ObjectModel> models;  ///< by obj_id
     std::vector<Target> targets;        ///< of the file or, without one, every object of every image; by image, object
     std::vector<std::string> warnings;  ///< what was mended on reading, and what looks like a mistake
-    std::size_t targets_elsewhere = 0;  ///< targets of the file in images that are not at hand
+    std::vector<std::string> warnings_of_targets;  ///< for those who take them all
 
     DatasetImage const* find(ImageId id) const;  ///< null if there is none
 };

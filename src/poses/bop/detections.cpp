@@ -38,7 +38,7 @@ class DetectionReader {
     void read_rest(JsonNode const& node, Detection& detection) {
         ++read_;
         std::optional<ImageBox> const box = read_box(node.at("bbox"));
-        if (!box)
+        if (!box || box->width == 0 || box->height == 0)
             node.at("bbox").fail("a box of something seen");
         detection.box = *box;
         detection.score = confidence(node);

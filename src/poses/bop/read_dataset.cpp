@@ -145,23 +145,36 @@ std::vector<Target> targets_of(JsonNode const& node, DatasetImage const& image) 
     int const id = obj_id->integer(1);
     if (count)
         return {{image.id, id, count->integer(1)}};
-    targets.erase(std::remove_if(targets.begin(), targets.end(), [id](Target const& t) { return t.obj_id != id; }),
-                  targets.end());
-    return targets;
+    auto const found = std::find_if(targets.begin(), targets.end(), [id](Target const& t) { return t.obj_id == id; });
+    return {found == targets.end() ? Target{image.id, id, 1} : *found};
 }
 
+/// By image and object; of rows that name the same, the last one counts.
 void read_targets(fs::path const& file, Dataset& dataset) {
     Json const json = io::read_json_file(file, "targets as BOP has them");
+    std::map<std::pair<ImageId, int>, Target> targets;
+    std::size_t rows = 0, elsewhere = 0, repeated = 0;
     for (JsonNode const& node : JsonNode(file, json).items()) {
         ImageId const id{node.at("scene_id").integer(0), node.at("im_id").integer(0)};
-        if (DatasetImage const* const image = dataset.find(id))
-            append(dataset.targets, targets_of(node, *image));
+        DatasetImage const* const image = dataset.find(id);
+        ++rows;
+        if (image == nullptr)
+            ++elsewhere;
         else
-            ++dataset.targets_elsewhere;
+            for (Target const& target : targets_of(node, *image))
+                repeated += targets.insert_or_assign({id, target.obj_id}, target).second ? 0U : 1U;
     }
-    std::sort(dataset.targets.begin(), dataset.targets.end(), [](Target const& a, Target const& b) {
-        return std::pair(a.image, a.obj_id) < std::pair(b.image, b.obj_id);
-    });
+    for (auto const& [name, target] : targets)
+        dataset.targets.push_back(target);
+    if (elsewhere > 0)
+        dataset.warnings_of_targets.push_back(
+            fmt::format("{}: {} of {} targets are in images that are not at hand, and are left out", file.string(),
+                        elsewhere, rows));
+    if (repeated > 0)
+        dataset.warnings_of_targets.push_back(
+            fmt::format("{}: {} rows name a target that another row names, expected each once; "
+                        "the last one counts",
+                        file.string(), repeated));
 }
 
 /// The targets of a dataset; empty if it has none. Those of the challenge's first task come first.

@@ -55,8 +55,13 @@ ObjectModel model_named(fs::path const& mesh, int obj_id, double unit_m) {
 std::map<int, ObjectModel> models_by_number(std::set<fs::path> const& meshes, std::optional<double> unit_m) {
     std::map<int, ObjectModel> models;
     for (fs::path const& mesh : meshes) {
-        if (auto const id = numbered_object(mesh.stem().string()))
-            models[*id] = model_named(mesh, *id, unit_m.value_or(files::m_per_mm));
+        auto const id = numbered_object(mesh.stem().string());
+        if (!id)
+            continue;
+        auto const [found, is_new] = models.emplace(*id, model_named(mesh, *id, unit_m.value_or(files::m_per_mm)));
+        if (!is_new)
+            io::fail(mesh, fmt::format("is object {}, as {} is, expected one mesh of an object", *id,
+                                       found->second.mesh.filename().string()));
     }
     return models;
 }

@@ -99,6 +99,8 @@ void read_object_info(JsonNode const& node, GroundTruth& object) {
         object.visible_box = read_box(*box);
     if (auto const share = node.find("visib_fract"))
         object.visible_share = std::max(0.0, share->number());
+    if (object.visible_share.value_or(0) > 1)
+        node.at("visib_fract").fail("a share of the object, at most 1");
 }
 
 void read_image_infos(JsonNode const& node, DatasetImage& image) {

@@ -44,13 +44,17 @@ using Words = std::vector<std::string>;
 io::FolderKind const quality_folder{
     "edge map quality", "quality.csv", {"pictures/*_best.png", "pictures/*_worst.png"}, "algorithm,object,poses,"};
 
-/// `given`, or all that are known if none is. Throws InputError if one is not.
+/// `given`, each once, or all that are known if none is. Throws InputError if one is not.
 Words chosen(char const* option, Words const& given, Words const& known) {
-    for (std::string const& name : given)
+    Words words;
+    for (std::string const& name : given) {
         if (std::find(known.begin(), known.end(), name) == known.end())
             throw InputError(fmt::format("{} {}, expected one of {}{}", option, name, fmt::join(known, ", "),
                                          did_you_mean(name, known)));
-    return given.empty() ? known : given;
+        if (std::find(words.begin(), words.end(), name) == words.end())
+            words.push_back(name);
+    }
+    return given.empty() ? known : words;
 }
 
 /// Found edges red, contour blue where it was missed and purple where it was found, silhouette green.
@@ -123,7 +127,7 @@ Subcommand edge_quality_command() {
                 command.add_option("--seed", request->seed, "Seed of the poses")
                     ->type_name("N")
                     ->capture_default_str()
-                    ->check(CLI::NonNegativeNumber);
+                    ->check(number_in(0, 9e18));
                 command.add_option("--classes", request->classes, "Built-in objects, with commas between (all)")
                     ->type_name("NAMES")
                     ->delimiter(',');

@@ -21,6 +21,7 @@
 #include "poses/commands/estimate_worker.hpp"
 #include "poses/commands/experiment_estimates.hpp"
 #include "poses/experiments/estimate_journal.hpp"
+#include "poses/judging/counted_poses.hpp"
 
 namespace faster {
 namespace {
@@ -41,18 +42,29 @@ class TargetBoxes {
             detected_[{detection.image, detection.obj_id}].push_back(&kept_.emplace_back(detection));
         for (bop::Target const& target : data_.dataset.targets)
             for (bop::Detection const* const detection : detected_[{target.image, target.obj_id}])
-                data_.boxes[{target.image, target.obj_id}].push_back(bop::sound(*detection));
+                add(target, bop::sound(*detection));
+        if (!outside_.empty())
+            warnings_.push_back(fmt::format("{}: boxes outside of their images are left out: {}, such as {}", file,
+                                            boxes_outside_, outside_));
+    }
+
+    /// A camera's unit is the same all over a dataset, so one image tells.
+    void look_at_depths() {
+        if (!data_.dataset.targets.empty()) {
+            bop::DatasetImage const& image = *data_.dataset.find(data_.dataset.targets.front().image);
+            bop::tell_of_depths(bop::load_observation(image), image, warnings_);
+        }
     }
 
     void add_annotated() {
         for (bop::Target const& target : data_.dataset.targets) {
             bop::DatasetImage const& image = bop::sound(*data_.dataset.find(target.image));
-            for (bop::GroundTruth const& object : image.objects)
-                if (object.obj_id == target.obj_id && !object.is_hidden())
+            for (bop::GroundTruth const* const object : poses::most_visible(data_.dataset, target))
+                if (!object->is_hidden())
                     data_.boxes[{target.image, target.obj_id}].push_back(
                         {image.id,
-                         object.obj_id,
-                         annotated_box(bop::sound(object), mesh(object.obj_id), image.camera),
+                         object->obj_id,
+                         annotated_box(*object, mesh(object->obj_id), image.camera),
                          confidence_,
                          -1,
                          {}});
@@ -62,6 +74,31 @@ class TargetBoxes {
     std::vector<std::string> const& warnings() const { return warnings_; }
 
   private:
+    void add(bop::Target const& target, bop::Detection const& detection) {
+        bop::ImageBox const& box = detection.box;
+        Size const size = size_of(target.image);
+        if (estimation::overlaps({box.left, box.top, box.width, box.height, 0}, size.width, size.height)) {
+            data_.boxes[{target.image, target.obj_id}].push_back(detection);
+            return;
+        }
+        ++boxes_outside_;
+        outside_ = fmt::format("[{}, {}, {}, {}] in image {} of scene {}", box.left, box.top, box.width, box.height,
+                               target.image.im_id, target.image.scene_id);
+    }
+
+    struct Size {
+        int width = 0, height = 0;
+    };
+    /// Of the image itself: what camera.json says is meant for others.
+    Size size_of(bop::ImageId id) {
+        auto const [found, is_new] = sizes_.try_emplace(id);
+        if (is_new) {
+            Camera const camera = bop::load_observation(*data_.dataset.find(id)).camera;
+            found->second = {camera.width, camera.height};
+        }
+        return found->second;
+    }
+
     Mesh const& mesh(int obj_id) {
         auto const [found, is_new] = meshes_.try_emplace(obj_id);
         if (is_new)
@@ -74,7 +111,10 @@ class TargetBoxes {
     double confidence_;
     std::deque<bop::Detection> kept_;
     std::map<std::pair<bop::ImageId, int>, std::vector<bop::Detection const*>> detected_;
+    std::map<bop::ImageId, Size> sizes_;
     std::map<int, Mesh> meshes_;
+    std::string outside_;
+    std::size_t boxes_outside_ = 0;
     std::vector<std::string> warnings_;
 };
 
@@ -91,14 +131,15 @@ std::size_t leave_out_undetected(SettingData& data) {
 SettingData prepared_data(EstimateAllRequest const& request, LoadedConfig const& loaded) {
     SettingData data;
     data.name = request.bop.folder;
-    data.by_instance = true;
     data.dataset = dataset_of(request.bop);
     TargetBoxes boxes(data, estimator_of(loaded.config).box.confidence);
     if (request.bop.detections.empty())
         boxes.add_annotated();
     else
         boxes.add_detected(request.bop.detections);
+    boxes.look_at_depths();
     say_warnings(data.dataset.warnings);
+    say_warnings(data.dataset.warnings_of_targets);
     say_warnings(boxes.warnings());
     return data;
 }
@@ -110,6 +151,10 @@ int estimate_all(EstimateAllRequest const& request, LoadedConfig const& loaded) 
     std::size_t const jobs = jobs_or_host_cores(request.jobs);
     std::vector<SettingData> settings{prepared_data(request, loaded)};
     std::size_t const targets = settings[0].dataset.targets.size(), undetected = leave_out_undetected(settings[0]);
+    if (targets == 0)
+        throw InputError(request.bop.folder +
+                         ": has no targets, expected some: annotated objects in scene_gt.json, or "
+                         "rows of test_targets_bop19.json");
     if (targets == undetected)
         throw InputError(fmt::format("{}: has a box for none of the {} targets of {}, expected some",
                                      request.bop.detections.empty() ? request.bop.folder : request.bop.detections,

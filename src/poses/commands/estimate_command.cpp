@@ -42,8 +42,8 @@ std::vector<std::string> overrides_of(EstimateRequest const& request) {
 int estimate_all_of(EstimateRequest const& request, LoadedConfig const& loaded) {
     if (request.bop.folder.empty() || request.out.empty())
         throw InputError("--all: expected --bop DIR and --out DIR as well");
-    bool const is_of_one = request.bop.scene_id != 0 || request.bop.im_id != 0 || request.bop.obj_id != 0 ||
-                           !request.traces.empty() || !request.pictures.empty() || request.records();
+    bool const is_of_one = request.bop.scene_id || request.bop.im_id || request.bop.obj_id || !request.traces.empty() ||
+                           !request.pictures.empty() || request.records();
     if (is_of_one)
         throw InputError(
             "--all: expected none of --scene, --image, --object, --pictures, --traces, --events, --vcd and --timeline, "

@@ -68,7 +68,8 @@ EstimateRun::EstimateRun(EstimateRequest const& request, LoadedConfig const& loa
 std::vector<std::string> EstimateRun::warnings() const {
     if (!request_.bop.folder.empty())
         return {};
-    return workload::input_warnings(workload_of(loaded_.config), scene_.observed.posed.mesh, {*scene_.truth});
+    return workload::input_warnings(workload_of(loaded_.config), scene_.observed.posed.mesh,
+                                    {scene_.truths.front().pose});
 }
 
 WorkSize EstimateRun::size() const {
@@ -114,7 +115,7 @@ EstimateReport EstimateRun::report() const {
     EstimatorConfig const& config = estimator_of(loaded_.config);
     EstimateReport report;
     report.object = request_.bop.folder.empty() ? workload_of(loaded_.config).target.object
-                                                : fmt::format("object {}", request_.bop.obj_id);
+                                                : fmt::format("object {}", request_.bop.object());
     report.scorer = scorer_name(loaded_.config);
     report.samples = workload_of(loaded_.config).samples.count;
     report.seed = config.seed;
@@ -125,8 +126,8 @@ EstimateReport EstimateRun::report() const {
     report.run = estimate_.run;
     report.stopped_early = estimate_.ending == estimation::Ending::stop_weight;
     report.verdict = verdict_of(scene_, estimate_.weight, estimator_of(loaded_.config));
-    if (scene_.truth)
-        report.truth = scene_.own(*scene_.truth);
+    if (estimation::TruePose const* const truth = nearest_truth(scene_, pose_))
+        report.truth = scene_.own(truth->pose);
     report.distances = distances_from_truth(scene_, pose_);
     report.iterations = rows_;
     report.host = host_of(loaded_.config);
@@ -200,8 +201,8 @@ void EstimateRun::set_cost(IterationRow& row, IterationCost const& cost) {
 
 bop::PoseEstimate EstimateRun::bop_estimate(EstimateReport const& report) const {
     bop::PoseEstimate estimate;
-    estimate.image = {request_.bop.scene_id, request_.bop.im_id};
-    estimate.obj_id = request_.bop.obj_id;
+    estimate.image = request_.bop.image();
+    estimate.obj_id = request_.bop.object();
     estimate.score = report.weight;
     estimate.pose = report.pose;
     estimate.time_s = report.total_ms() ? *report.total_ms() / 1000 : -1;

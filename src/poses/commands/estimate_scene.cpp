@@ -1,6 +1,7 @@
 #include "poses/commands/estimate_scene.hpp"
 
 #include <fmt/format.h>
+#include <limits>
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/say.hpp"
@@ -11,6 +12,7 @@
 #include "faster/workload/object_pose.hpp"
 #include "poses/bop/detections.hpp"
 #include "poses/bop/read_dataset.hpp"
+#include "poses/judging/counted_poses.hpp"
 
 namespace faster {
 
@@ -30,7 +32,8 @@ std::vector<DetectionConfig> boxes_of(LoadedConfig const& loaded, estimation::Sc
     DetectionConfig box = estimator_of(loaded.config).box;
     if (box.width == 0) {
         double const confidence = box.confidence;
-        box = estimation::box_around(scene.observed.posed.mesh.vertices, *scene.truth, scene.observed.posed.camera);
+        box = estimation::box_around(scene.observed.posed.mesh.vertices, scene.truths.front().pose,
+                                     scene.observed.posed.camera);
         box.confidence = confidence;
         return box.width > 0 && box.height > 0 ? std::vector<DetectionConfig>{box} : std::vector<DetectionConfig>{};
     }
@@ -54,7 +57,7 @@ estimation::Scene configured_scene(LoadedConfig const& loaded) {
     estimation::Scene scene;
     scene.observed = workload::build_observation(workload, accelerator.window, accelerator.fraction_bits);
     estimation::centre_mesh(scene);
-    scene.truth = scene.centred(workload::configured_pose(workload.target));
+    scene.truths = {{scene.centred(workload::configured_pose(workload.target)), std::nullopt}};
     scene.boxes = boxes_of(loaded, scene);
     return scene;
 }
@@ -62,29 +65,38 @@ estimation::Scene configured_scene(LoadedConfig const& loaded) {
 namespace {
 
 bop::DatasetImage const& image_of(bop::Dataset const& dataset, BopRequest const& request) {
-    bop::DatasetImage const* const image = dataset.find({request.scene_id, request.im_id});
+    bop::DatasetImage const* const image = dataset.find(request.image());
     if (image == nullptr)
         throw InputError(fmt::format(
-            "--scene {} --image {}: no such image in {}, expected one of its {} images{}", request.scene_id,
-            request.im_id, request.folder, dataset.images.size(),
+            "--scene {} --image {}: no such image in {}, expected one of its {} images{}", request.image().scene_id,
+            request.image().im_id, request.folder, dataset.images.size(),
             dataset.images.empty() ? ""
                                    : fmt::format(", such as --scene {} --image {}", dataset.images.front().id.scene_id,
                                                  dataset.images.front().id.im_id)));
     return *image;
 }
 
-/// All detections of the object in the image, or the annotated boxes.
-std::vector<bop::Detection> boxes_in(bop::DatasetImage const& image, Mesh const& mesh, Camera const& camera,
-                                     BopRequest const& request, double confidence, std::vector<std::string>& warnings) {
+/// What is to be found of the object in the image: as many as the targets say, or all.
+bop::Target target_of(bop::Dataset const& dataset, bop::ImageId image, int obj_id) {
+    for (bop::Target const& target : dataset.targets)
+        if (target.image == image && target.obj_id == obj_id)
+            return target;
+    return {image, obj_id, std::numeric_limits<int>::max()};
+}
+
+/// All detections of the object in the image, or the annotated boxes of what is to be found.
+std::vector<bop::Detection> boxes_in(bop::DatasetImage const& image, poses::Truths const& truths, Mesh const& mesh,
+                                     Camera const& camera, BopRequest const& request, double confidence,
+                                     std::vector<std::string>& warnings) {
     std::vector<bop::Detection> boxes;
     if (request.detections.empty()) {
-        for (bop::GroundTruth const& object : image.objects)
-            if (object.obj_id == request.obj_id && !object.is_hidden())
-                boxes.push_back({image.id, object.obj_id, annotated_box(object, mesh, camera), confidence, -1});
+        for (bop::GroundTruth const* const object : truths)
+            if (!object->is_hidden())
+                boxes.push_back({image.id, object->obj_id, annotated_box(*object, mesh, camera), confidence, -1});
         return boxes;
     }
     for (bop::Detection const& detection : bop::read_detections(request.detections, warnings))
-        if (detection.obj_id == request.obj_id && detection.image == image.id)
+        if (detection.obj_id == request.object() && detection.image == image.id)
             boxes.push_back(bop::sound(detection));
     return boxes;
 }
@@ -119,11 +131,10 @@ void add_judged_points(estimation::Scene& scene, bop::ObjectModel const& model, 
         point += scene.own_origin;
 }
 
-void add_truth_and_boxes(estimation::Scene& scene, bop::DatasetImage const& image, int obj_id,
-                         std::vector<bop::Detection> const& boxes, int downscale) {
-    for (bop::GroundTruth const& object : image.objects)
-        if (object.obj_id == obj_id && !scene.truth)
-            scene.truth = scene.centred(bop::sound(object).pose);
+void add_truths_and_boxes(estimation::Scene& scene, poses::Truths const& truths,
+                          std::vector<bop::Detection> const& boxes, int downscale) {
+    for (bop::GroundTruth const* const object : truths)
+        scene.truths.push_back({scene.centred(object->pose), object->visible_share});
     for (bop::Detection const& detection : boxes) {
         bop::ImageBox const& box = detection.box;
         scene.boxes.push_back({box.left / downscale, box.top / downscale, box.width / downscale, box.height / downscale,
@@ -143,15 +154,16 @@ bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Ca
     return object.box ? *object.box : bop::projected_box(mesh, object.pose, camera);
 }
 
-estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::DatasetImage const& image,
-                                int obj_id, std::vector<bop::Detection> const& boxes) {
+estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::Target const& target,
+                                std::vector<bop::Detection> const& boxes) {
     require_mesh_and_samples(loaded);
     std::vector<std::string> told_before;
-    bop::ObjectModel const& model = bop::model_of(dataset, obj_id, dataset.folder.string());
+    bop::ObjectModel const& model = bop::model_of(dataset, target.obj_id, dataset.folder.string());
     Mesh const mesh = bop::load_model(model, told_before);
-    estimation::Scene scene = observed_scene(loaded, mesh, bop::load_observation(image));
+    estimation::Scene scene = observed_scene(loaded, mesh, bop::load_observation(*dataset.find(target.image)));
     add_judged_points(scene, model, mesh);
-    add_truth_and_boxes(scene, image, obj_id, boxes, workload_of(loaded.config).scene.downscale);
+    add_truths_and_boxes(scene, poses::most_visible(dataset, target), boxes,
+                         workload_of(loaded.config).scene.downscale);
     return scene;
 }
 
@@ -162,18 +174,19 @@ estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& reques
     bop::Dataset const dataset = bop::read_dataset(request.folder, options);
     std::vector<std::string> warnings = dataset.warnings;
     bop::DatasetImage const& image = image_of(dataset, request);
-    bop::ObjectModel const& model = bop::model_of(dataset, request.obj_id, "--object");
+    bop::ObjectModel const& model = bop::model_of(dataset, request.object(), "--object");
     Mesh const mesh = bop::load_model(model, warnings);
     bop::Observation const seen = bop::load_observation(image);
     bop::tell_of_depths(seen, image, warnings);
+    poses::Truths const truths = poses::most_visible(dataset, target_of(dataset, image.id, request.object()));
     std::vector<bop::Detection> const boxes =
-        boxes_in(image, mesh, seen.camera, request, estimator_of(loaded.config).box.confidence, warnings);
+        boxes_in(image, truths, mesh, seen.camera, request, estimator_of(loaded.config).box.confidence, warnings);
     say_warnings(warnings);
     for (bop::Detection const& detection : boxes)
         require_overlap(detection.box, seen.camera, request);
     estimation::Scene scene = observed_scene(loaded, mesh, seen);
     add_judged_points(scene, model, mesh);
-    add_truth_and_boxes(scene, image, request.obj_id, boxes, workload_of(loaded.config).scene.downscale);
+    add_truths_and_boxes(scene, truths, boxes, workload_of(loaded.config).scene.downscale);
     return scene;
 }
 

@@ -15,20 +15,24 @@ struct BopRequest {
     std::string folder;      ///< empty: none
     std::string detections;  ///< JSON file; empty: the annotated boxes
     std::string models_in;   ///< unit of the meshes, m or mm; empty: as the dataset's kind has it
-    int scene_id = 0;
-    int im_id = 0;
-    int obj_id = 0;
+    std::optional<int> scene_id;
+    std::optional<int> im_id;
+    std::optional<int> obj_id;
+
+    bop::ImageId image() const { return {scene_id.value_or(0), im_id.value_or(0)}; }
+    int object() const { return obj_id.value_or(0); }
 };
 
-/// The scene of an image: the object's first annotated pose in it is the truth. Boxes: all detections of the object in
-/// the image or, without detections, the annotated ones of what is visible, with the confidence of
+/// The scene of an image: the truths are the object's most visible annotated poses in it, as many as the targets ask
+/// for. Boxes: all detections of the object in the image or, without detections, the truths' that are not hidden, with
+/// the confidence of
 /// `estimator.box.confidence`; an object that nobody detected, or that is hidden, has none. Says what looks like a
 /// mistake of the dataset's. Throws InputError for what the dataset does not have.
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request);
 
-/// The scene of a dataset at hand, an image of it and `boxes`, whose confidences are their scores.
-estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::DatasetImage const& image,
-                                int obj_id, std::vector<bop::Detection> const& boxes);
+/// The scene of a target of a dataset at hand, and `boxes`, whose confidences are their scores.
+estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::Target const& target,
+                                std::vector<bop::Detection> const& boxes);
 
 /// Metres per unit that is called m or mm; nothing for an empty name.
 std::optional<double> unit_of_models(std::string const& name);

@@ -133,6 +133,10 @@ class GripScorer final : public IterationScorer {
     ScoredPoses last_;
 };
 
+poses::Points const& judged_points(estimation::Scene const& scene) {
+    return scene.judged_points.empty() ? scene.observed.posed.mesh.vertices : scene.judged_points;
+}
+
 }  // namespace
 
 std::unique_ptr<IterationScorer> make_scorer(RunConfig const& config, estimation::Scene& scene, std::size_t jobs) {
@@ -173,12 +177,23 @@ Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfi
     return weight < config.least_weight ? Verdict::weak : Verdict::found;
 }
 
+estimation::TruePose const* nearest_truth(estimation::Scene const& scene, Pose const& pose) {
+    if (scene.truths.size() < 2)
+        return scene.truths.empty() ? nullptr : &scene.truths.front();
+    std::vector<double> apart;
+    for (estimation::TruePose const& truth : scene.truths)
+        apart.push_back(poses::add_s(judged_points(scene), pose, truth.pose));
+    return &scene.truths[static_cast<std::size_t>(std::min_element(apart.begin(), apart.end()) - apart.begin())];
+}
+
 std::optional<PoseDistances> distances_from_truth(estimation::Scene const& scene, Pose const& pose) {
-    if (!scene.truth)
-        return std::nullopt;
-    poses::Points const& points =
-        scene.judged_points.empty() ? scene.observed.posed.mesh.vertices : scene.judged_points;
-    return PoseDistances{poses::add(points, pose, *scene.truth), poses::add_s(points, pose, *scene.truth)};
+    std::optional<PoseDistances> least;
+    for (estimation::TruePose const& truth : scene.truths) {
+        PoseDistances const off{poses::add(judged_points(scene), pose, truth.pose),
+                                poses::add_s(judged_points(scene), pose, truth.pose)};
+        least = least ? PoseDistances{std::min(least->add_m, off.add_m), std::min(least->adds_m, off.adds_m)} : off;
+    }
+    return least;
 }
 
 }  // namespace faster

@@ -40,7 +40,10 @@ Pose final_pose(estimation::Scene const& scene, estimation::Particle const& part
 /// What an estimate of that weight is worth.
 Verdict verdict_of(estimation::Scene const& scene, double weight, EstimatorConfig const& config);
 
-/// ADD and ADD-S of a pose, by the scene's judged points; nothing if the truth is not known.
+/// The true pose that is nearest to a pose, by ADD-S; null if none is known.
+estimation::TruePose const* nearest_truth(estimation::Scene const& scene, Pose const& pose);
+
+/// ADD and ADD-S of a pose, by the scene's judged points, each from the nearest true pose; nothing if none is known.
 std::optional<PoseDistances> distances_from_truth(estimation::Scene const& scene, Pose const& pose);
 
 }  // namespace faster

@@ -104,11 +104,11 @@ WorkSize size_of(bop::Dataset const& dataset, EvaluateRequest const& request) {
 }
 
 /// Of the images that have a time; it is the whole image's, so any of its rows has it.
-double mean_time_s(std::vector<bop::PoseEstimate> const& estimates) {
+double mean_time_s(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> const& estimates) {
     std::map<bop::ImageId, double> times;
     for (bop::PoseEstimate const& estimate : estimates) {
-        if (estimate.time_s >= 0)
-            times[estimate.image] = estimate.time_s;
+        if (estimate.time_s >= 0 && dataset.find(estimate.image) != nullptr)
+            times.emplace(estimate.image, estimate.time_s);
     }
     double sum = 0;
     for (auto const& [image, time_s] : times)
@@ -130,14 +130,6 @@ class Warnings {
     std::set<std::string> said_;
 };
 
-void say_of_targets(bop::Dataset const& dataset, Warnings& warnings) {
-    warnings.say(dataset.warnings);
-    if (dataset.targets_elsewhere > 0)
-        warnings.say({fmt::format("{}: {} of {} targets are in images that are not at hand, and are left out",
-                                  dataset.folder.string(), dataset.targets_elsewhere,
-                                  dataset.targets_elsewhere + dataset.targets.size())});
-}
-
 poses::JudgedMethod judged(bop::Dataset const& dataset, std::string const& file, poses::JudgeOptions const& options,
                            Warnings& warnings) {
     std::vector<std::string> of_file;
@@ -148,7 +140,7 @@ poses::JudgedMethod judged(bop::Dataset const& dataset, std::string const& file,
     auto judgement = poses::judge(dataset, estimates, file, options,
                                   [&](std::size_t done, std::size_t all) { progress.show(done, all); });
     warnings.say(judgement.warnings);
-    return {name, std::move(judgement), mean_time_s(estimates)};
+    return {name, std::move(judgement), mean_time_s(dataset, estimates)};
 }
 
 void write(poses::Evaluation const& evaluation, io::AtomicFolder& folder) {
@@ -177,7 +169,8 @@ poses::Evaluation evaluate(EvaluateRequest const& request) {
     bop::Dataset const dataset = load_dataset(request);
     announce(size_of(dataset, request), request.force);
     Warnings warnings;
-    say_of_targets(dataset, warnings);
+    warnings.say(dataset.warnings);
+    warnings.say(dataset.warnings_of_targets);
     poses::JudgeOptions options;
     options.jobs = jobs_or_host_cores(request.jobs);
     options.vsd_delta_m = request.vsd_delta_mm / 1000;
@@ -231,7 +224,7 @@ Subcommand evaluate_command() {
                     ->capture_default_str();
                 command.add_option("--seed", request->seed, "Of the bootstrap")
                     ->type_name("N")
-                    ->check(CLI::NonNegativeNumber)
+                    ->check(number_in(0, 9e18))
                     ->capture_default_str();
                 command.add_option("--bootstraps", request->replicates, "How often to draw the images anew")
                     ->type_name("N")

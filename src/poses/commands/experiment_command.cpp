@@ -33,6 +33,7 @@
 #include "poses/experiments/boxes_of_detector.hpp"
 #include "poses/experiments/experiment_file.hpp"
 #include "poses/experiments/made_dataset.hpp"
+#include "poses/judging/counted_poses.hpp"
 
 namespace faster {
 
@@ -73,15 +74,28 @@ class AnnotatedBoxes {
 
     std::vector<std::string> const& warnings() const { return warnings_; }
 
-    std::vector<bop::ImageBox> of(bop::DatasetImage const& image, int obj_id, bool of_others) {
-        std::vector<bop::ImageBox> boxes;
-        for (bop::GroundTruth const& object : image.objects)
-            if ((object.obj_id != obj_id) == of_others && !object.is_hidden())
-                boxes.push_back(annotated_box(object, mesh(object.obj_id), image.camera));
-        return boxes;
+    /// Of what is to be found.
+    std::vector<bop::ImageBox> of(bop::Target const& target) {
+        return of(poses::most_visible(dataset_, target), target);
+    }
+
+    std::vector<bop::ImageBox> of_others(bop::Target const& target) {
+        poses::Truths others;
+        for (bop::GroundTruth const& object : dataset_.find(target.image)->objects)
+            if (object.obj_id != target.obj_id)
+                others.push_back(&object);
+        return of(others, target);
     }
 
   private:
+    std::vector<bop::ImageBox> of(poses::Truths const& objects, bop::Target const& target) {
+        std::vector<bop::ImageBox> boxes;
+        for (bop::GroundTruth const* const object : objects)
+            if (!object->is_hidden())
+                boxes.push_back(annotated_box(*object, mesh(object->obj_id), dataset_.find(target.image)->camera));
+        return boxes;
+    }
+
     Mesh const& mesh(int obj_id) {
         auto const found = meshes_.find(obj_id);
         if (found != meshes_.end())
@@ -100,13 +114,14 @@ SettingData data_of(experiments::Setting const& setting, fs::path const& folder,
     data.dataset = bop::read_dataset(folder);
     AnnotatedBoxes annotated(data.dataset);
     for (bop::Target const& target : data.dataset.targets) {
-        bop::DatasetImage const& image = *data.dataset.find(target.image);
-        std::vector<bop::ImageBox> const others = annotated.of(image, target.obj_id, true);
-        for (bop::ImageBox const& box : annotated.of(image, target.obj_id, false))
-            for (bop::Detection const& seen : experiments::boxes_of_detector(target, box, others, setting.boxes, seed))
+        std::vector<bop::ImageBox> const boxes = annotated.of(target), others = annotated.of_others(target);
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            for (bop::Detection const& seen :
+                 experiments::boxes_of_detector(target, i, boxes[i], others, setting.boxes, seed))
                 data.boxes[{target.image, target.obj_id}].push_back(seen);
     }
     say_warnings(data.dataset.warnings);
+    say_warnings(data.dataset.warnings_of_targets);
     say_warnings(annotated.warnings());
     return data;
 }
@@ -126,8 +141,14 @@ std::vector<SettingData> prepared(experiments::Experiment const& experiment, fs:
         if (setting.dataset.empty()) {
             fs::create_directories(out / "scenes");
             ProgressLine progress("scenes");
-            experiments::make_dataset(made, setting, experiment.seed, jobs,
-                                      [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+            std::size_t const missed =
+                experiments::make_dataset(made, setting, experiment.seed, jobs,
+                                          [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+            if (missed > 0)
+                say_warnings(
+                    {fmt::format("{}: scenes.{}.visible = [{}, {}]: in {} images no try came near it, and the "
+                                 "nearest was taken; scene_gt_info.json says how much is visible",
+                                 experiment.file, setting.name, setting.visible[0], setting.visible[1], missed)});
         }
         settings.push_back(data_of(setting, setting.dataset.empty() ? made : setting.dataset, experiment.seed));
         fs::create_directories(out / "boxes");
@@ -197,8 +218,8 @@ std::string estimates_csv(std::vector<WantedEstimate> const& wanted, experiments
     return text;
 }
 
-void judge(fs::path const& out, SettingData const& setting, std::vector<MethodData> const& methods, std::size_t jobs,
-           JudgedErrors& errors) {
+void judge(fs::path const& out, std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
+           SettingData const& setting, std::vector<MethodData> const& methods, std::size_t jobs, JudgedErrors& errors) {
     EvaluateRequest request;
     for (MethodData const& method : methods)
         request.files.push_back((out / "results" / setting.name / (method.name + ".csv")).string());
@@ -208,7 +229,7 @@ void judge(fs::path const& out, SettingData const& setting, std::vector<MethodDa
     fmt::print("\n# {}\n\n", setting.name);
     poses::Evaluation const evaluation = evaluate(request);
     for (std::size_t i = 0; i < methods.size(); ++i)
-        errors.add(setting, methods[i], evaluation.methods[i].judgement);
+        errors.add(setting, methods[i], wanted, journal, evaluation.methods[i].judgement);
 }
 
 void write_results(fs::path const& out, std::vector<WantedEstimate> const& wanted,
@@ -284,7 +305,7 @@ int experiment(ExperimentRequest const& request) {
     write_results(out, wanted, journal, settings, methods);
     JudgedErrors errors;
     for (SettingData const& setting : settings)
-        judge(out, setting, methods, jobs, errors);
+        judge(out, wanted, journal, setting, methods, jobs, errors);
     io::write_file_atomically(out / "estimates.csv", estimates_csv(wanted, journal, errors));
     std::vector<Failure> const failures = failures_among(wanted, journal, errors, jobs);
     write_failures(out, failures, settings, request.failures);

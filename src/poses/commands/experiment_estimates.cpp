@@ -15,6 +15,7 @@
 #include "poses/commands/estimate_scene.hpp"
 #include "poses/commands/estimate_scorers.hpp"
 #include "poses/estimation/estimator.hpp"
+#include "poses/judging/counted_poses.hpp"
 
 namespace faster {
 
@@ -58,11 +59,11 @@ std::string target_text(SettingData const& setting, bop::Target const& target, s
     bop::ObjectModel const& model = bop::model_of(setting.dataset, target.obj_id, setting.dataset.folder.string());
     Camera const& c = image.camera;
     std::string text =
-        fmt::format("{} {} {} {} {} {} {} {}\n", contents.hash_of(image.depth), contents.hash_of(model.mesh),
-                    model.unit_m, image.depth_unit_m, c.fx, c.fy, c.cx, c.cy);
-    for (bop::GroundTruth const& object : image.objects)
-        if (object.obj_id == target.obj_id)
-            text += pose_identity(object.pose) + "\n";
+        fmt::format("{} {} {} {} {} {} {} {} {}\n", contents.hash_of(image.depth), contents.hash_of(model.mesh),
+                    model.judged_mesh.empty() ? "" : contents.hash_of(model.judged_mesh), model.unit_m,
+                    image.depth_unit_m, c.fx, c.fy, c.cx, c.cy);
+    for (bop::GroundTruth const* const truth : poses::most_visible(setting.dataset, target))
+        text += pose_identity(truth->pose) + "\n";
     for (bop::Detection const& box : boxes)
         text += fmt::format("{} {} {} {} {}\n", box.box.left, box.box.top, box.box.width, box.box.height, box.score);
     return text;
@@ -71,7 +72,7 @@ std::string target_text(SettingData const& setting, bop::Target const& target, s
 /// The boxes of each estimate of a target: all of them, or the best by score one by one.
 std::vector<std::vector<bop::Detection>> looks_at(SettingData const& setting, bop::Target const& target) {
     std::vector<bop::Detection> boxes = setting.boxes_of(target);
-    if (!setting.by_instance || target.inst_count < 2)
+    if (target.inst_count < 2)
         return {boxes};
     std::stable_sort(boxes.begin(), boxes.end(),
                      [](bop::Detection const& a, bop::Detection const& b) { return a.score > b.score; });
@@ -90,13 +91,15 @@ std::string id_of(std::string const& keys, std::string const& target) {
     return fmt::format("{:016x}", hash.value());
 }
 
-/// What the true pose would weigh, in the best of the boxes; 0 if it is not known.
-double truth_weight(estimation::Scene const& scene, EstimatorConfig const& config, IterationScorer& scorer) {
-    if (!scene.truth)
+/// What the true pose nearest to `pose` would weigh, in the best of the boxes; 0 if it is not known.
+double truth_weight(estimation::Scene const& scene, Pose const& pose, EstimatorConfig const& config,
+                    IterationScorer& scorer) {
+    estimation::TruePose const* const truth = nearest_truth(scene, pose);
+    if (truth == nullptr)
         return 0;
     std::vector<estimation::Particle> particles(std::max<std::size_t>(1, scene.boxes.size()));
     for (std::size_t i = 0; i < particles.size(); ++i)
-        particles[i] = {estimation::rotation_of(scene.truth->rotation), scene.truth->translation, i};
+        particles[i] = {estimation::rotation_of(truth->pose.rotation), truth->pose.translation, i};
     double most = 0;
     for (estimation::WeightTerms const& terms : scorer.score(particles))
         most = std::max(most, terms.weight(config.coefficients()));
@@ -134,9 +137,7 @@ std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& set
 }
 
 estimation::Scene scene_of(WantedEstimate const& wanted) {
-    SettingData const& setting = *wanted.setting;
-    return dataset_scene(wanted.method->loaded, setting.dataset, *setting.dataset.find(wanted.target.image),
-                         wanted.target.obj_id, wanted.boxes);
+    return dataset_scene(wanted.method->loaded, wanted.setting->dataset, wanted.target, wanted.boxes);
 }
 
 experiments::EstimateResult estimated(WantedEstimate const& wanted) {
@@ -159,8 +160,9 @@ experiments::EstimateResult estimated(WantedEstimate const& wanted) {
             heaviest = std::max(heaviest, iteration.best_weight());
             result.adds_mm.push_back(its_adds_mm);
         });
-    result.truth_weight = truth_weight(scene, config, *scorer);
-    result.pose = scene.own(final_pose(scene, estimate.particle, config));
+    Pose const pose = final_pose(scene, estimate.particle, config);
+    result.truth_weight = truth_weight(scene, pose, config, *scorer);
+    result.pose = scene.own(pose);
     result.weight = estimate.weight;
     result.verdict = name_of(verdict_of(scene, estimate.weight, config));
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

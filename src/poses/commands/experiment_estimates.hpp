@@ -19,8 +19,6 @@ struct SettingData {
     std::string name;
     bop::Dataset dataset;
     std::map<std::pair<bop::ImageId, int>, std::vector<bop::Detection>> boxes;  ///< by image and obj_id
-    bool by_instance = false;  ///< of an object that is there several times each of the best boxes is looked into alone
-
     std::vector<bop::Detection> const& boxes_of(bop::Target const& target) const;
 };
 
@@ -39,8 +37,9 @@ struct WantedEstimate {
     std::string id;                     ///< hash of all that decides about the result
 };
 
-/// Every method for every target, or for every instance of it; the first images of all objects first, so that whatever
-/// is done by some time is about the same share of everything. Throws InputError for a file that is not there.
+/// Every method for every target; for one of several instances as often, each time in one of the best boxes. The first
+/// images of all objects first, so that whatever is done by some time is about the same share of everything. Throws
+/// InputError for a file that is not there.
 std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& settings,
                                              std::vector<MethodData> const& methods);
 

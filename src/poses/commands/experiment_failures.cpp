@@ -96,8 +96,9 @@ Image<Colour> picture_of(Failure const& failure) {
     auto const box_of = [&](Pose const& pose) {
         return estimation::box_around(observed.posed.mesh.vertices, pose, observed.posed.camera);
     };
-    Part const part = part_around(box_of(*scene.truth), box_of(estimated));
-    Image<std::uint8_t> const truth = outline(scene, *scene.truth), estimate = outline(scene, estimated);
+    Pose const& true_pose = nearest_truth(scene, estimated)->pose;
+    Part const part = part_around(box_of(true_pose), box_of(estimated));
+    Image<std::uint8_t> const truth = outline(scene, true_pose), estimate = outline(scene, estimated);
     Greys const greys(observed.observed_depth, part);
     Image<Colour> picture(part.side, part.side, palette::paper);
     for (int row = 0; row < part.side; ++row)
@@ -126,12 +127,12 @@ constexpr double least_overlap = 0.1;
 constexpr double least_in_window = 0.9;
 constexpr double least_visible = 0.1;
 
-DetectionConfig true_box(estimation::Scene const& scene) {
-    return estimation::box_around(scene.observed.posed.mesh.vertices, *scene.truth, scene.observed.posed.camera);
+DetectionConfig box_of(estimation::Scene const& scene, Pose const& pose) {
+    return estimation::box_around(scene.observed.posed.mesh.vertices, pose, scene.observed.posed.camera);
 }
 
-bool was_seen(estimation::Scene const& scene) {
-    DetectionConfig const truth = true_box(scene);
+bool was_seen(estimation::Scene const& scene, Pose const& pose) {
+    DetectionConfig const truth = box_of(scene, pose);
     return std::any_of(scene.boxes.begin(), scene.boxes.end(), [&truth](DetectionConfig const& box) {
         return estimation::overlap_share(box, truth) >= least_overlap;
     });
@@ -144,11 +145,11 @@ double stretch_in_window(double begin, double length, double middle, int window)
     return std::max(0.0, end - first);
 }
 
-/// Of the object's box, at the true pose.
-double share_in_window(estimation::Scene const& scene) {
-    DetectionConfig const box = true_box(scene);
+/// Of the object's box, at a pose.
+double share_in_window(estimation::Scene const& scene, Pose const& pose) {
+    DetectionConfig const box = box_of(scene, pose);
     Camera const& camera = scene.observed.posed.camera;
-    Eigen::Vector3d const& middle = scene.truth->translation;
+    Eigen::Vector3d const& middle = pose.translation;
     double const area = box.width * box.height;
     double const inside =
         stretch_in_window(box.left, box.width, camera.fx * middle.x() / middle.z() + camera.cx, scene.observed.window) *
@@ -156,25 +157,16 @@ double share_in_window(estimation::Scene const& scene) {
     return area > 0 ? inside / area : 0;
 }
 
-/// Of the pose that the scene takes for the true one.
-std::optional<double> visible_share(WantedEstimate const& wanted) {
-    bop::DatasetImage const& image = *wanted.setting->dataset.find(wanted.target.image);
-    for (bop::GroundTruth const& object : image.objects)
-        if (object.obj_id == wanted.target.obj_id)
-            return object.visible_share;
-    return std::nullopt;
-}
-
 FailureReason reason_of(WantedEstimate const& wanted, experiments::EstimateResult const& result,
-                        estimation::Scene const& scene, JudgedError const& off) {
+                        estimation::Scene const& scene, estimation::TruePose const& truth, JudgedError const& off) {
     bool const has_window = estimator_of(wanted.method->loaded.config).backend == EstimatorBackend::accelerator;
     if (off.adds_m < wrong_m)
         return off.mssd_m < wrong_m ? FailureReason::symmetry : FailureReason::turned;
-    if (!was_seen(scene))
+    if (!was_seen(scene, truth.pose))
         return FailureReason::box;
-    if (has_window && share_in_window(scene) < least_in_window)
+    if (has_window && share_in_window(scene, truth.pose) < least_in_window)
         return FailureReason::size;
-    if (visible_share(wanted).value_or(1) < least_visible)
+    if (truth.visible_share.value_or(1) < least_visible)
         return FailureReason::hidden;
     return result.weight >= result.truth_weight ? FailureReason::score : FailureReason::search;
 }
@@ -184,29 +176,32 @@ std::optional<Failure> looked_at(WantedEstimate const& wanted, experiments::Esti
     if (!off || off->add_m < wrong_m)
         return std::nullopt;
     estimation::Scene const scene = scene_of(wanted);
+    estimation::TruePose const& truth = *nearest_truth(scene, scene.centred(result.pose));
     return Failure{&wanted,
                    &result,
                    1000 * off->add_m,
                    1000 * off->adds_m,
                    1000 * off->mssd_m,
-                   reason_of(wanted, result, scene, *off)};
+                   truth.visible_share,
+                   reason_of(wanted, result, scene, truth, *off)};
 }
 
 }  // namespace
 
-void JudgedErrors::add(SettingData const& setting, MethodData const& method, poses::Judgement const& judgement) {
-    for (poses::InstanceErrors const& instance : judgement.instances) {
-        if (!std::isfinite(instance.add_s_m))
-            continue;
-        JudgedError const error{instance.add_m, instance.add_s_m, instance.mssd_m};
-        auto const [found, is_new] = errors_.emplace(Key{&setting, &method, instance.image, instance.obj_id}, error);
-        if (!is_new && error.adds_m < found->second.adds_m)
-            found->second = error;
-    }
+void JudgedErrors::add(SettingData const& setting, MethodData const& method, std::vector<WantedEstimate> const& wanted,
+                       experiments::EstimateJournal const& journal, poses::Judgement const& judgement) {
+    std::map<std::size_t, JudgedError> by_line;
+    for (poses::EstimateErrors const& estimate : judgement.estimates)
+        by_line[estimate.line] = {estimate.add_m, estimate.add_s_m, estimate.mssd_m};
+    std::size_t line = 1;  // names the columns
+    for (WantedEstimate const& each : wanted)
+        if (each.setting == &setting && each.method == &method && journal.find(each.id) != nullptr)
+            if (auto const found = by_line.find(++line); found != by_line.end())
+                errors_.emplace(&each, found->second);
 }
 
 std::optional<JudgedError> JudgedErrors::of(WantedEstimate const& wanted) const {
-    auto const found = errors_.find({wanted.setting, wanted.method, wanted.target.image, wanted.target.obj_id});
+    auto const found = errors_.find(&wanted);
     return found == errors_.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -261,12 +256,11 @@ std::string failures_csv(std::vector<Failure> const& failures) {
         "setting,method,scene_id,im_id,obj_id,visible_share,weight,truth_weight,add_mm,adds_mm,mssd_mm,reason\n";
     for (Failure const& each : failures) {
         WantedEstimate const& wanted = *each.wanted;
-        std::optional<double> const visible = visible_share(wanted);
         fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{:.4f},{:.4f},{:.4f},{}\n",
                        wanted.setting->name, wanted.method->name, wanted.target.image.scene_id,
-                       wanted.target.image.im_id, wanted.target.obj_id, visible ? fmt::format("{:.4f}", *visible) : "",
-                       each.result->weight, each.result->truth_weight, each.add_mm, each.adds_mm, each.mssd_mm,
-                       each.reason_name());
+                       wanted.target.image.im_id, wanted.target.obj_id,
+                       each.visible_share ? fmt::format("{:.4f}", *each.visible_share) : "", each.result->weight,
+                       each.result->truth_weight, each.add_mm, each.adds_mm, each.mssd_mm, each.reason_name());
     }
     return text;
 }

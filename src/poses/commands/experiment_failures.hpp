@@ -36,6 +36,7 @@ struct Failure {
     double add_mm = 0;
     double adds_mm = 0;
     double mssd_mm = 0;
+    std::optional<double> visible_share;  ///< of the nearest true pose
     FailureReason reason = FailureReason::search;
 
     char const* reason_name() const { return failure_reasons[static_cast<std::size_t>(reason)]; }
@@ -48,17 +49,17 @@ struct JudgedError {
     double mssd_m = 0;
 };
 
-/// How far off estimates are, as `evaluate` says: by the meshes that it judges with.
+/// How far off estimates are, each from the nearest true pose: as `evaluate` says, by the meshes that it judges with.
 class JudgedErrors {
   public:
-    /// Of the judged estimates of a method in a setting.
-    void add(SettingData const& setting, MethodData const& method, poses::Judgement const& judgement);
+    /// Of the judged estimates of a method in a setting, which results_of() wrote.
+    void add(SettingData const& setting, MethodData const& method, std::vector<WantedEstimate> const& wanted,
+             experiments::EstimateJournal const& journal, poses::Judgement const& judgement);
     /// Nothing if the truth is not known.
     std::optional<JudgedError> of(WantedEstimate const& wanted) const;
 
   private:
-    using Key = std::tuple<SettingData const*, MethodData const*, bop::ImageId, int>;
-    std::map<Key, JudgedError> errors_;
+    std::map<WantedEstimate const*, JudgedError> errors_;
 };
 
 /// Of all estimates that are there, in their order. Those whose truth is not known are none.

@@ -8,6 +8,12 @@
 
 namespace faster::estimation {
 
+/// Where an instance of the object is, as annotated.
+struct TruePose {
+    Pose pose;
+    std::optional<double> visible_share;  ///< of its silhouette, 0..1, if that is known
+};
+
 /// What an estimate is made from.
 struct Scene {
     Stimulus observed;  ///< mesh, camera, depth and edges; its samples change from iteration to iteration
@@ -17,7 +23,8 @@ struct Scene {
     Eigen::Vector3d own_origin = Eigen::Vector3d::Zero();
     /// Where the first stage found the object; empty: nowhere, so it is looked for in the whole image.
     std::vector<DetectionConfig> boxes;
-    std::optional<Pose> truth;  ///< if known; of the frame of `observed`
+    /// Of the instances that are to be found, in the frame of `observed`; empty: not known.
+    std::vector<TruePose> truths;
     /// By which distances from the truth are told, in the frame of `observed`; empty: the vertices of its mesh, which
     /// is a simplified one.
     std::vector<Eigen::Vector3d> judged_points;

@@ -29,14 +29,15 @@ double confidence(double mean, CounterRandom& random) {
 
 }  // namespace
 
-std::vector<bop::Detection> boxes_of_detector(bop::Target const& target, bop::ImageBox const& truth,
-                                              std::vector<bop::ImageBox> const& others, DetectorModel const& model,
-                                              std::uint64_t seed) {
-    constexpr std::uint32_t stream_of_boxes = 0xb0b0;
+std::vector<bop::Detection> boxes_of_detector(bop::Target const& target, std::size_t instance,
+                                              bop::ImageBox const& truth, std::vector<bop::ImageBox> const& others,
+                                              DetectorModel const& model, std::uint64_t seed) {
+    constexpr std::uint32_t stream_of_boxes = 0xb0b0, streams_of_instance = 1U << 20U;
     CounterRandom random(seed,
                          (std::uint64_t{static_cast<std::uint32_t>(target.image.scene_id)} << 32U) +
                              static_cast<std::uint32_t>(target.image.im_id),
-                         stream_of_boxes + static_cast<std::uint32_t>(target.obj_id));
+                         stream_of_boxes + static_cast<std::uint32_t>(target.obj_id) +
+                             streams_of_instance * static_cast<std::uint32_t>(instance));
     bool const is_missing = random.uniform() < model.missing, has_wrong = random.uniform() < model.wrong;
     std::vector<bop::Detection> boxes;
     auto const add = [&](bop::ImageBox const& box, double mean) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -7,11 +8,11 @@
 
 namespace faster::experiments {
 
-/// The boxes in which a first stage would see a target, by the model of docs/poses.md: at most the right one, shifted
-/// and scaled, and a wrong one around another object of the image. `truth`: the annotated box of the target; `others`:
-/// those of other objects. The same seed and target, the same boxes.
-std::vector<bop::Detection> boxes_of_detector(bop::Target const& target, bop::ImageBox const& truth,
-                                              std::vector<bop::ImageBox> const& others, DetectorModel const& model,
-                                              std::uint64_t seed);
+/// The boxes in which a first stage would see an instance of a target, by the model of docs/poses.md: at most the right
+/// one, shifted and scaled, and a wrong one around another object of the image. `instance`: its number, from 0;
+/// `truth`: its annotated box; `others`: those of other objects. The same seed, target and instance, the same boxes.
+std::vector<bop::Detection> boxes_of_detector(bop::Target const& target, std::size_t instance,
+                                              bop::ImageBox const& truth, std::vector<bop::ImageBox> const& others,
+                                              DetectorModel const& model, std::uint64_t seed);
 
 }  // namespace faster::experiments

@@ -252,6 +252,8 @@ class DatasetMaker {
         write_camera_and_targets();
     }
 
+    std::size_t missed() const { return missed_; }
+
   private:
     fs::path scene_folder(int scene_id) const { return folder_ / "test" / fmt::format("{:06}", scene_id); }
     std::size_t per_class() const { return static_cast<std::size_t>(setting_.images); }
@@ -285,15 +287,19 @@ class DatasetMaker {
         std::mutex mutex;
         std::size_t done = 0;
         on_threads(images_.size(), jobs, [&](std::size_t i) {
-            images_[i] = made_image(obj_id_of(setting_.objects[i / per_class()]), static_cast<int>(i % per_class()));
+            bool is_as_wished = true;
+            images_[i] = made_image(obj_id_of(setting_.objects[i / per_class()]), static_cast<int>(i % per_class()),
+                                    is_as_wished);
             std::lock_guard<std::mutex> const lock(mutex);
+            missed_ += is_as_wished ? 0U : 1U;
             progress(++done, images_.size());
         });
     }
 
-    bop::DatasetImage made_image(int obj_id, int number) const {
+    bop::DatasetImage made_image(int obj_id, int number, bool& is_as_wished) const {
         MadeScene scene =
             made_scene({obj_id, setting_.visible, seed_, static_cast<std::uint64_t>(number)}, meshes_, camera_);
+        is_as_wished = scene.is_as_wished;
         bop::DatasetImage image;
         image.id = {obj_id, number};
         image.camera = camera_;
@@ -331,6 +337,7 @@ class DatasetMaker {
     Camera camera_;
     std::map<int, Mesh> meshes_;
     std::vector<bop::DatasetImage> images_;
+    std::size_t missed_ = 0;
 };
 
 }  // namespace
@@ -350,6 +357,7 @@ MadeScene made_scene(SceneWish const& wish, std::map<int, Mesh> const& meshes, C
         }
     }
     MadeScene scene;
+    scene.is_as_wished = least <= near_enough;
     scene.depth = all_of(best, meshes, camera);
     for (Placed const& object : best.objects)
         scene.objects.push_back(annotation(object, seen(alone(object, meshes, camera), scene.depth)));
@@ -357,8 +365,8 @@ MadeScene made_scene(SceneWish const& wish, std::map<int, Mesh> const& meshes, C
     return scene;
 }
 
-void make_dataset(fs::path const& folder, Setting const& setting, std::uint64_t seed, std::size_t jobs,
-                  std::function<void(std::size_t, std::size_t)> const& progress) {
+std::size_t make_dataset(fs::path const& folder, Setting const& setting, std::uint64_t seed, std::size_t jobs,
+                         std::function<void(std::size_t, std::size_t)> const& progress) {
     std::map<int, Mesh> meshes = scene_meshes(setting.models, jobs);
     for (std::string const& name : setting.objects)
         if (meshes.count(obj_id_of(name)) == 0)
@@ -366,16 +374,18 @@ void make_dataset(fs::path const& folder, Setting const& setting, std::uint64_t 
                              ".obj or 001_" + name + ".obj");
     std::string const recipe = recipe_of(setting, meshes, seed);
     if (holds(folder, recipe))
-        return;
+        return 0;
     io::AtomicFolder target(
         folder, {"made scenes",
                  recipe_file,
                  {"test/*/depth/*.png", "test/*/scene_camera.json", "test/*/scene_gt.json", "test/*/scene_gt_info.json",
                   "models/obj_*.ply", "models/models_info.json", "camera.json", "test_targets_bop19.json"},
                  "faster-scenes"});
-    DatasetMaker(target.path(), setting, std::move(meshes), seed).make(jobs, progress);
+    DatasetMaker maker(target.path(), setting, std::move(meshes), seed);
+    maker.make(jobs, progress);
     io::write_file(target.path() / recipe_file, recipe);
     target.commit();
+    return maker.missed();
 }
 
 }  // namespace faster::experiments

@@ -19,6 +19,7 @@ namespace faster::experiments {
 struct MadeScene {
     std::vector<bop::GroundTruth> objects;  ///< the one to look for is the first
     workload::DepthImage depth;             ///< with the sensor's noise
+    bool is_as_wished = true;               ///< as much of the first is visible as was drawn, and all is in the image
 };
 
 /// What a scene is made from.
@@ -37,8 +38,9 @@ MadeScene made_scene(SceneWish const& wish, std::map<int, Mesh> const& meshes, C
 
 /// Writes a setting's scenes as a dataset in the format of BOP, whole or not at all: a scene per class, whose number is
 /// the obj_id. A folder that already holds these very scenes is left as it is. `progress` is told how many
-/// images of all are done. Throws InputError if it cannot be written.
-void make_dataset(std::filesystem::path const& folder, Setting const& setting, std::uint64_t seed, std::size_t jobs,
-                  std::function<void(std::size_t done, std::size_t all)> const& progress);
+/// images of all are done. Tells in how many the object is not as visible as was drawn. Throws InputError if it cannot
+/// be written.
+std::size_t make_dataset(std::filesystem::path const& folder, Setting const& setting, std::uint64_t seed,
+                         std::size_t jobs, std::function<void(std::size_t done, std::size_t all)> const& progress);
 
 }  // namespace faster::experiments

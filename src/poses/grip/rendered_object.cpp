@@ -8,8 +8,6 @@ namespace faster::grip {
 
 namespace {
 
-constexpr double nearest_m = 0.1;
-
 /// A corner in the image [px], and 1 / z, which is linear there.
 struct Corner {
     double col = 0;
@@ -17,7 +15,7 @@ struct Corner {
     double inverse_z = 0;  ///< 0: too near
 };
 
-std::vector<Corner> projected(Mesh const& mesh, Pose const& pose, Camera const& camera) {
+std::vector<Corner> projected(Mesh const& mesh, Pose const& pose, Camera const& camera, double nearest_m) {
     std::vector<Corner> corners;
     corners.reserve(mesh.vertices.size());
     for (Eigen::Vector3d const& vertex : mesh.vertices) {
@@ -182,8 +180,8 @@ int pixels_around(int at, int radius, int size) {
 
 }  // namespace
 
-RenderedObject render(Mesh const& mesh, Pose const& pose, Camera const& camera) {
-    std::vector<Corner> const corners = projected(mesh, pose, camera);
+RenderedObject render(Mesh const& mesh, Pose const& pose, Camera const& camera, double nearest_m) {
+    std::vector<Corner> const corners = projected(mesh, pose, camera, nearest_m);
     RenderedObject object = empty_object(corners, camera);
     if (object.depth.empty())
         return object;

@@ -14,9 +14,9 @@ struct RenderedObject {
 };
 
 /// Renders the triangles of a mesh from either side, as a graphics card does: where a pixel's centre lies in a
-/// triangle, its ray meets the triangle's plane. The nearest counts. Triangles with a corner nearer than 0.1 m, and
-/// pixels outside the image, are left out.
-RenderedObject render(Mesh const& mesh, Pose const& pose, Camera const& camera);
+/// triangle, its ray meets the triangle's plane. The nearest counts. Triangles with a corner nearer than `nearest_m`,
+/// and pixels outside the image, are left out.
+RenderedObject render(Mesh const& mesh, Pose const& pose, Camera const& camera, double nearest_m = 0.1);
 
 /// Eq. 2.2 for an object that stands alone before a plane at depth `background` [m], which makes up for the neighbours
 /// that it does not cover. The same as Curvature of the whole cloud, by sums that slide over the image.

@@ -102,7 +102,7 @@ void EstimatesByTarget::tell_of_unit(std::vector<std::string>& warnings) const {
 Truths most_visible(bop::Dataset const& dataset, bop::Target const& target) {
     Truths truths = truths_of(dataset, target);
     std::stable_sort(truths.begin(), truths.end(), [](auto const* a, auto const* b) {
-        return a->visible_share.value_or(0) > b->visible_share.value_or(0);
+        return a->visible_share.value_or(1) > b->visible_share.value_or(1);
     });
     truths.resize(std::min(truths.size(), static_cast<std::size_t>(target.inst_count)));
     return truths;

@@ -43,7 +43,8 @@ class EstimatesByTarget {
     std::string first_unknown_;
 };
 
-/// The inst_count most visible true poses of a target, in the order of the file, or as many as there are.
+/// The inst_count most visible true poses of a target, or as many as there are. One of which nobody says how much is
+/// visible counts as all visible; of equals the one that stands first.
 Truths most_visible(bop::Dataset const& dataset, bop::Target const& target);
 
 /// Warns if targets ask for more than has been annotated.

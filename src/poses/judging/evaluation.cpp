@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <set>
@@ -73,19 +74,26 @@ std::array<Interval, score_count> intervals(Replicates const& replicates, Replic
     return result;
 }
 
-/// Score by score the mean of the rows' that are known, of those scores of which a mean says something.
+/// Of those rows of which draw `i` holds an instance.
+double mean_of_known(std::vector<Replicates> const& rows, std::size_t i, std::size_t score) {
+    double sum = 0, known = 0;
+    for (Replicates const& row : rows) {
+        bool const is_known = !std::isnan(row[i][score]);
+        sum += is_known ? row[i][score] : 0;
+        known += is_known ? 1 : 0;
+    }
+    return sum / known;
+}
+
+/// Score by score the mean of the rows', of those scores of which a mean says something and that all rows have.
 Replicates mean_of(std::vector<Replicates> const& rows) {
     Replicates means(rows.front().size());
-    for (std::size_t i = 0; i < means.size(); ++i) {
-        for (std::size_t score = 0; score < score_count; ++score) {
-            double sum = 0, known = 0;
-            for (Replicates const& row : rows) {
-                bool const is_known = !std::isnan(row[i][score]);
-                sum += is_known ? row[i][score] : 0;
-                known += is_known ? 1 : 0;
-            }
-            means[i][score] = score_facts[score].has_mean ? sum / known : std::numeric_limits<double>::quiet_NaN();
-        }
+    for (std::size_t score = 0; score < score_count; ++score) {
+        bool const has_mean =
+            score_facts[score].has_mean &&
+            std::none_of(rows.begin(), rows.end(), [&](auto const& row) { return std::isnan(row.front()[score]); });
+        for (std::size_t i = 0; i < means.size(); ++i)
+            means[i][score] = has_mean ? mean_of_known(rows, i, score) : std::numeric_limits<double>::quiet_NaN();
     }
     return means;
 }
@@ -177,7 +185,10 @@ Evaluation evaluate(bop::Dataset const& dataset, std::vector<JudgedMethod> metho
         leave_out_hidden(method.judgement.instances, options.visible_from);
     Instances const& instances = methods.front().judgement.instances;
     if (instances.empty())
-        throw InputError(dataset.folder.string() + ": holds no true poses to compare with, expected some");
+        throw InputError(dataset.folder.string() + ": holds no true poses to compare with, expected some" +
+                         (options.visible_from > 0
+                              ? fmt::format(" of which --visible-from {:g} is visible", options.visible_from)
+                              : ""));
     Evaluator evaluator(dataset, instances, options);
     Evaluation evaluation;
     evaluation.dataset = dataset.folder.string();

@@ -104,23 +104,30 @@ struct JudgedImage {
 class TargetJudge {
   public:
     TargetJudge(Estimates const& estimates, Truths const& truths, JudgedModel const& model)
-        : estimates_(estimates), truths_(truths), model_(model) {}
+        : estimates_(estimates),
+          truths_(truths),
+          model_(model),
+          adds_(by_pose([&](auto const& e, auto const& t) { return add(model_.mesh.vertices, e, t); })),
+          adds_s_(by_pose([&](auto const& e, auto const& t) { return add_s(model_.mesh.vertices, e, t); })),
+          mssds_(by_pose(
+              [&](auto const& e, auto const& t) { return mssd(model_.mesh.vertices, model_.symmetries, e, t); })) {}
+
+    std::vector<EstimateErrors> nearest() const {
+        std::vector<EstimateErrors> errors;
+        for (std::size_t e = 0; e < estimates_.size() && !truths_.empty(); ++e)
+            errors.push_back({estimates_[e]->line, least(adds_[e]), least(adds_s_[e]), least(mssds_[e])});
+        return errors;
+    }
 
     std::vector<InstanceErrors> errors(bop::Target const& target, JudgedImage const& image, double vsd_delta_m) const {
-        Points const& points = model_.mesh.vertices;
         std::size_t const n = truths_.size();
-        auto const adds =
-            matched(by_pose([&](auto const& e, auto const& t) { return add(points, e, t); }), n, add_limit_m);
-        auto const adds_s =
-            matched(by_pose([&](auto const& e, auto const& t) { return add_s(points, e, t); }), n, add_limit_m);
-        PairErrors const mssds =
-            by_pose([&](auto const& e, auto const& t) { return mssd(points, model_.symmetries, e, t); });
+        auto const adds = matched(adds_, n, add_limit_m), adds_s = matched(adds_s_, n, add_limit_m);
         PairErrors const mspds = by_pose([&](auto const& e, auto const& t) {
-            return image.pixel_scale() * mspd(points, model_.symmetries, e, t, image.camera);
+            return image.pixel_scale() * mspd(model_.mesh.vertices, model_.symmetries, e, t, image.camera);
         });
-        auto const largest = matched(mssds, n, recall_step * recall_thresholds * model_.diameter_m);
+        auto const largest = matched(mssds_, n, recall_step * recall_thresholds * model_.diameter_m);
         auto const largest_px = matched(mspds, n, recall_step_px * recall_thresholds);
-        auto const found = hits(mssds, n, recall_step * model_.diameter_m), found_px = hits(mspds, n, recall_step_px);
+        auto const found = hits(mssds_, n, recall_step * model_.diameter_m), found_px = hits(mspds, n, recall_step_px);
         std::vector<InstanceErrors> errors;
         for (std::size_t g = 0; g < n; ++g)
             errors.push_back({target.image, target.obj_id, truths_[g]->visible_share, adds[g], adds_s[g], largest[g],
@@ -132,6 +139,8 @@ class TargetJudge {
 
   private:
     static constexpr double recall_step = 0.05, recall_step_px = 5;
+
+    static double least(std::vector<double> const& errors) { return *std::min_element(errors.begin(), errors.end()); }
 
     template <class Error> PairErrors by_pose(Error const& error) const { return pairs(estimates_, truths_, error); }
 
@@ -168,6 +177,7 @@ class TargetJudge {
     Estimates const& estimates_;
     Truths const& truths_;
     JudgedModel const& model_;
+    PairErrors adds_, adds_s_, mssds_;
 };
 
 /// Targets of one image: their numbers.
@@ -196,6 +206,7 @@ Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> cons
     tell_of_missing_truths(dataset, judgement.warnings);
     sorted.tell_of_unit(judgement.warnings);
     std::vector<std::vector<InstanceErrors>> errors(dataset.targets.size());
+    std::vector<std::vector<EstimateErrors>> of_estimates(dataset.targets.size());
     std::vector<std::size_t> used(dataset.targets.size(), 0);
     std::vector<TargetRange> const ranges = by_image(dataset.targets);
     for (TargetRange const& range : ranges)
@@ -208,14 +219,17 @@ Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> cons
             Estimates const counted = sorted.best(target);
             used[i] = counted.size();
             Truths const truths = most_visible(dataset, target);
-            errors[i] =
-                TargetJudge(counted, truths, models.at(target.obj_id)).errors(target, image, options.vsd_delta_m);
+            TargetJudge const target_judge(counted, truths, models.at(target.obj_id));
+            errors[i] = target_judge.errors(target, image, options.vsd_delta_m);
+            of_estimates[i] = target_judge.nearest();
             done.one_more();
         }
     });
     judgement.left_out = estimates.size() - std::accumulate(used.begin(), used.end(), std::size_t{0});
     for (auto const& of_target : errors)
         judgement.instances.insert(judgement.instances.end(), of_target.begin(), of_target.end());
+    for (auto const& of_target : of_estimates)
+        judgement.estimates.insert(judgement.estimates.end(), of_target.begin(), of_target.end());
     return judgement;
 }
 

@@ -28,6 +28,14 @@ struct InstanceErrors {
     std::optional<double> vsd_recall = {};  ///< share of tolerances and thresholds; not known without a depth image
 };
 
+/// How far an estimate that counts is off, each from the nearest of the true poses that count.
+struct EstimateErrors {
+    std::size_t line = 0;  ///< of the estimate's file
+    double add_m = 0;
+    double add_s_m = 0;
+    double mssd_m = 0;
+};
+
 struct JudgeOptions {
     std::size_t jobs = 1;        ///< threads; the result does not depend on them
     double vsd_delta_m = 0.015;  ///< of VSD; BOP has 5 mm for ITODD
@@ -35,6 +43,7 @@ struct JudgeOptions {
 
 struct Judgement {
     std::vector<InstanceErrors> instances;  ///< in the order of the targets
+    std::vector<EstimateErrors> estimates;  ///< of targets with a true pose, in their order
     std::size_t left_out = 0;               ///< estimates of an object that is no target in their image, or too many
     std::vector<std::string> warnings;      ///< what looks like a mistake of the dataset or the estimates
 };

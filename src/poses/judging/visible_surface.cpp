@@ -42,7 +42,8 @@ DistanceImage seen_distances(bop::Observation const& observation) {
 }
 
 DistanceImage drawn_distances(Mesh const& mesh, Pose const& pose, Camera const& camera) {
-    grip::RenderedObject object = grip::render(mesh, pose, camera);
+    constexpr double nearest_m = 0.01;  // where bop_toolkit's renderer begins, too
+    grip::RenderedObject object = grip::render(mesh, pose, camera, nearest_m);
     DistanceImage drawn{object.first_row, object.first_col, std::move(object.depth)};
     to_distances(drawn, camera);
     return drawn;

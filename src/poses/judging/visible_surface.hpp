@@ -23,7 +23,7 @@ struct DistanceImage {
 /// What the depth camera saw.
 DistanceImage seen_distances(bop::Observation const& observation);
 
-/// An object alone, as grip::render() draws it: triangles with a corner nearer than 0.1 m are left out.
+/// An object alone, as grip::render() draws it: triangles with a corner nearer than 1 cm are left out.
 DistanceImage drawn_distances(Mesh const& mesh, Pose const& pose, Camera const& camera);
 
 constexpr std::size_t vsd_tolerances = 10;  ///< 0.05, 0.10, ... 0.50 of the diameter

@@ -41,10 +41,8 @@ void ProcessClock::connect_all() {
     for (std::size_t const stream : streams_of(machine))
         if (machine.streams[stream].process == timing_.index())
             stream_ = &machine.streams[stream];
-    for (timing::LoopShape const& loop : timing_.loops()) {
-        require_no_late_access(loop);
+    for (timing::LoopShape const& loop : timing_.loops())
         sound_by_loop_.push_back(sound_accesses_of(loop));
-    }
 }
 
 void ProcessClock::begin_call() {
@@ -56,18 +54,6 @@ void ProcessClock::begin_call() {
 void ProcessClock::hand_over(FifoEnd::When when) {
     if (timing::Ports const ports = hand_overs_[when]; !ports.is_empty())
         step(ports);
-}
-
-/// The module of a call that is over does not do anything more for it.
-void ProcessClock::require_no_late_access(timing::LoopShape const& loop) const {
-    bool const is_late =
-        std::any_of(loop.reads.begin(), loop.reads.end(), [](timing::LoopRead const& read) { return read.stage > 0; });
-    if (loop.rewinds && (is_late || loop.makes_attempts))
-        throw InputError(
-            "loop " + timing_.name() + "." + loop.name + " rewinds, and " +
-            (is_late ? "reads a FIFO in a later stage than its first" : "accesses a FIFO without waiting") +
-            ", expected accelerator.loops." + timing_.name() + "." + loop.name + ".rewind: false" +
-            (is_late ? ", or read_stage 0" : ""));
 }
 
 FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
@@ -120,9 +106,8 @@ WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string
 
 bool ProcessClock::reads_first(unsigned loop) const {
     timing::LoopShape const& shape = timing_.loops()[loop];
-    Cycles const latest = lockstep() ? 0 : first_stage(shape);
     return !shape.makes_attempts && std::all_of(shape.reads.begin(), shape.reads.end(),
-                                                [=](timing::LoopRead const& read) { return read.stage <= latest; });
+                                                [](timing::LoopRead const& read) { return read.stage == 0; });
 }
 
 bool ProcessClock::has_interlocks(unsigned loop) const {

@@ -53,7 +53,7 @@ class ProcessClock {
     /// Whether iterations of a loop may have to wait for writes (`hazards: interlock`). They are told one by one then.
     bool has_interlocks(unsigned loop) const;
     /// Whether iterations of a loop read all that they do before they do anything else, and make no attempts: then the
-    /// module may do many at once. In lockstep, in which time passes before a later stage, they read in stage 0.
+    /// module may do many at once. They read in stage 0: in lockstep, time passes before a later one.
     bool reads_first(unsigned loop) const;
     /// Errors: InputError if an iteration that accesses `others` may not access `port` as well: it is one of them, or
     /// the loop does not name it.
@@ -410,7 +410,6 @@ class ProcessClock {
     [[noreturn]] void refuse_outside(char const* what) const;
     void access_closely(timing::Ports port);
     [[noreturn]] void refuse_in_tokens_body(std::string const& what) const;
-    void require_no_late_access(timing::LoopShape const& loop) const;
     void require_memory(unsigned port) const;
     [[noreturn]] void refuse_both(std::string const& fifo) const;
     bool is_taken_by_loop() const;

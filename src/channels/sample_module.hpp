@@ -18,7 +18,8 @@ class SampleModule : public sc_core::sc_module {
     ProcessClock const& clock() const { return clock_; }
 
   protected:
-    /// Sample number `sample` of the run. At least one cycle has to pass.
+    /// Sample number `sample` of the run. At least one cycle has to pass. An access takes place within a cycle, which
+    /// is part of the call if work() lets it pass.
     virtual void work(std::size_t sample) = 0;
 
     ProcessClock clock_;

@@ -119,7 +119,7 @@ std::vector<std::uint64_t> simulated(std::string const& trace, std::vector<std::
     overrides.emplace_back("accelerator.raster_cores=1");
     LoadedConfig loaded = load_config(source + "/configs/faster_zcu102.yaml", overrides);
     Stimulus const stimulus = files::read_trace(source + "/traces/" + trace);
-    adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction);
+    adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction, stimulus.samples.size());
     RunStatistics const run = run_forked(accelerator_of(loaded.config), stimulus, Engine::decoupled).statistics;
     return run.deadlocked() ? std::vector<std::uint64_t>{} : guarded_figures(run);
 }

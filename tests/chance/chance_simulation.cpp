@@ -304,6 +304,8 @@ std::optional<Outcome::Sized> size(Design const& design, replay::RecordedRun con
         RunStatistics const run = replay::retime(recorded, with_choice(sizing.machine, sizing.answer.choice));
         if (run.total_cycles != sizing.answer.total_cycles)
             throw std::logic_error("the answer takes other cycles than were found");
+        if (run.deadlocked())
+            throw std::logic_error("the answer gets stuck");
         sized.figures = figures_of(run);
         return sized;
     } catch (InputError const& error) {

@@ -28,6 +28,21 @@ TEST_CASE("a loop that a module runs and does not describe is told by name") {
                "did you mean send?");
 }
 
+TEST_CASE("a mistake is told even if another module goes on asking for ever") {
+    Pair pair = sound_pair();
+    pair.reader.ends.front().non_blocking();
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& /*fifo*/) {
+        clock.pipeline("sent", 1, [](std::uint64_t) {});
+    };
+    pair.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        for (Token token = 0; !fifo.read_nb(token);)
+            clock.advance(1);
+    };
+    check_both(pair,
+               "module writer runs a loop sent, which it does not describe, expected loop(\"sent\") in its describe(), "
+               "did you mean send?");
+}
+
 TEST_CASE("a core has a result for each sample, unless it is stuck") {
     Pair pair = sound_pair();
     for (std::size_t const results : {0U, 2U}) {

@@ -81,23 +81,30 @@ inline std::string& notes() {
     return text;
 }
 
+inline std::unique_ptr<DataflowAccelerator> accelerator_of(Pair const& pair,
+                                                           std::shared_ptr<Machine const> const& machine,
+                                                           std::size_t samples, Engine engine) {
+    return std::make_unique<DataflowAccelerator>(
+        "accelerator", machine, samples, engine,
+        [&pair](char const* name, std::shared_ptr<Machine const> const& of, CoreShare share,
+                TimeBase const& time_base) { return std::make_unique<PairCore>(name, of, share, time_base, pair); });
+}
+
 /// What is thrown; otherwise the total, and of several samples when they end; or how many are stuck. `retimed_with`: of
 /// a retiming of the run with those.
 inline std::string outcome_of(Pair const& pair, Engine engine, MachineSettings const& settings = {},
-                              MachineSettings const* retimed_with = nullptr, std::size_t samples = 1) {
+                              MachineSettings const* retimed_with = nullptr, std::size_t samples = 1,
+                              std::vector<Recording> const& recordings = {}) {
     return testing::forked_bytes([&]() -> std::string {
         try {
             auto const machine =
                 std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), settings));
-            DataflowAccelerator accelerator("accelerator", machine, samples, engine,
-                                            [&](char const* name, std::shared_ptr<Machine const> const& of,
-                                                CoreShare share, TimeBase const& time_base) {
-                                                return std::make_unique<PairCore>(name, of, share, time_base, pair);
-                                            });
+            auto const accelerator = accelerator_of(pair, machine, samples, engine);
             replay::RecordedRun recorded;
             SimulationOptions options;
+            options.recordings = recordings;
             options.recorded = retimed_with != nullptr ? &recorded : nullptr;
-            RunStatistics run = simulate(accelerator, options);
+            RunStatistics run = simulate(*accelerator, options);
             if (retimed_with != nullptr)
                 run = replay::retime(recorded, make_machine(core_of({pair.writer, pair.reader}), *retimed_with));
             std::string ends;

@@ -482,6 +482,36 @@ TEST_CASE("Help, version and keys go to stdout") {
     }
 }
 
+/// Intervals and depths of FIFOs as a synthesis report has them.
+constexpr char const* report_of_tool =
+    R"(<profile><ReportVersion><Version>2021.1</Version></ReportVersion><UserAssignments><TopModelName>top)"
+    R"(</TopModelName></UserAssignments><PerformanceEstimates><SummaryOfLoopLatency></SummaryOfLoopLatency>)"
+    R"(</PerformanceEstimates><ModuleInformation><Module><Name>inlier_unit</Name><PerformanceEstimates>)"
+    R"(<SummaryOfLoopLatency><sweep><Name>sweep</Name><TripCount>9</TripCount><PipelineII>1</PipelineII>)"
+    R"(<PipelineDepth>8</PipelineDepth></sweep></SummaryOfLoopLatency></PerformanceEstimates></Module>)"
+    R"(</ModuleInformation><BindNode OPTYPE="fifo" VARIABLE="command" DEPTH="2"/></profile>)";
+
+TEST_CASE(
+    "A schedule's configuration is what was scheduled, whatever a preset says, and what it does not reach is told") {
+    Workspace const workspace;
+    workspace.write("report.xml", report_of_tool);
+    Words const schedule =
+        Words{"schedule", "report.xml", "--config", "config.yaml", "--out", "scheduled.yaml"} + small;
+    CommandResult const deep = workspace(schedule + set("accelerator.architecture=early_exit"));
+    require_done(deep);
+    CHECK_THAT(deep.out, Contains("accelerator.fifos.command.depth"));
+    CommandResult const keys = workspace({"run", "scheduled.yaml", "--out", "out"});
+    require_done(keys);
+    CHECK(workspace.json("out/summary.json").at("configuration").at("accelerator.fifos.command.depth").at("value") ==
+          2);
+    CHECK_THAT(deep.out,
+               Contains("scheduled  " +
+                        dataflow::grouped(workspace.json("out/summary.json").at("total_cycles").get<std::uint64_t>())));
+    CommandResult const slow = workspace(schedule + set("accelerator.loops.inlier_unit.sweep.recurrence_ii=3"));
+    require_done(slow);
+    CHECK_THAT(slow.out, Contains("inlier_unit.sweep: 1 of the report, 3 here, by recurrence_ii"));
+}
+
 TEST_CASE("A deadlock prints the same wait-for cycle on both engines and writes it, but no results") {
     Workspace const workspace;
     std::set<std::string> const before = workspace.tree();

@@ -262,7 +262,7 @@ TEST_CASE("A partition needs a type, words for its banks, and no more banks than
 
 TEST_CASE("A trace's window bounds the banks as well", "[config][errors]") {
     LoadedConfig config = loaded("accelerator:\n  brams:\n    edge_map: {partition: {type: cyclic, factor: 32}}\n");
-    CHECK(error_of([&] { faster::adopt_trace(config, 64, 64, 16, {}); }) ==
+    CHECK(error_of([&] { faster::adopt_trace(config, 64, 64, 16, {}, 1); }) ==
           "test.yaml:3: accelerator.brams.edge_map.partition.factor = 32, expected at most accelerator.window = 16");
 }
 
@@ -654,23 +654,30 @@ TEST_CASE("Two buffers put other modules at the ends of FIFOs", "[config]") {
 
 TEST_CASE("A trace replaces what the file says", "[config][trace]") {
     LoadedConfig config = loaded("accelerator: {window: 100}\nworkload: {camera: {width: 100}}\n");
-    faster::adopt_trace(config, 320, 240, 64, {3, 12, 20, 16, 8});
+    faster::adopt_trace(config, 320, 240, 64, {3, 12, 20, 16, 8}, 7);
     CHECK(accelerator_of(config.config).window == 64);
     CHECK(accelerator_of(config.config).fraction_bits == faster::FractionBits{3, 12, 20, 16, 8});
     CHECK(workload_of(config.config).camera.width == 320);
     CHECK(workload_of(config.config).camera.height == 240);
+    CHECK(workload_of(config.config).samples.count == 7);
     CHECK(config.origins.of("accelerator.window").source == faster::KeySource::trace);
+}
+
+TEST_CASE("What a trace replaces cannot be asked for beside it", "[config][trace][errors]") {
+    LoadedConfig config = loaded("workload: {object: mug}\n", {"workload.trace=t", "workload.samples.seed=2"});
+    CHECK(error_of([&] { faster::adopt_trace(config, 320, 240, 64, {}, 1); }) ==
+          "--set workload.samples.seed=2: expected none with workload.trace = \"t\", which replaces it");
 }
 
 TEST_CASE("A trace and an override that say the same agree", "[config][trace]") {
     LoadedConfig config = loaded("", {"accelerator.window=64", "workload.camera.width=320"});
-    CHECK_NOTHROW(faster::adopt_trace(config, 320, 240, 64, {}));
+    CHECK_NOTHROW(faster::adopt_trace(config, 320, 240, 64, {}, 1));
 }
 
 TEST_CASE("A trace that contradicts an override is an error and changes nothing", "[config][trace][errors]") {
     LoadedConfig config = loaded("", {"accelerator.window=64", "accelerator.fraction_bits.depth_buffer=8"});
     std::string const before = values_of(config.config);
-    CHECK(error_of([&] { faster::adopt_trace(config, 320, 240, 200, {}); }) ==
+    CHECK(error_of([&] { faster::adopt_trace(config, 320, 240, 200, {}, 1); }) ==
           "--set accelerator.window=64: expected 200, as in the trace (and 1 more)");
     CHECK(values_of(config.config) == before);
 }

@@ -14,7 +14,9 @@
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/simulated_run.hpp"
 #include "dataflow/commands/standard_commands.hpp"
+#include "dataflow/core/machine/machine.hpp"
 #include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/tools/schedule/scheduled_keys.hpp"
 
@@ -76,12 +78,21 @@ std::string totals_of(LoadedConfig const& assumed, LoadedConfig const& scheduled
     return fmt::format("Total cycles\n  assumed    {}\n  scheduled  {}\n", total(runs[0]), total(runs[1]));
 }
 
-/// All that the configuration says, and the schedule.
-std::string overlay_of(RunConfig const& config) {
-    std::vector<ResolvedKey> keys = resolved_keys(config);
-    keys.erase(std::remove_if(keys.begin(), keys.end(), [](ResolvedKey const& key) { return key.is_default; }),
-               keys.end());
-    return keys.empty() ? std::string() : to_yaml(keys);
+/// Loops whose ports or dependences demand more here than the tool has given them.
+std::string slower_loops_of(schedule::Schedule const& schedule, Machine const& machine) {
+    std::string text;
+    for (std::size_t const number : loops_of(machine)) {
+        MachineLoop const& loop = machine.loops[number];
+        std::string const key = loop_key_name(loop.timed_by, "ii");
+        bool const is_scheduled = std::any_of(schedule.keys.begin(), schedule.keys.end(),
+                                              [&key](schedule::ScheduledKey const& one) { return one.key == key; });
+        if (is_scheduled && loop.interval.achieved > loop.interval.target)
+            text += fmt::format("  {}: {} of the report, {} here, by {}\n", machine.loop_name(number),
+                                loop.interval.target, loop.interval.achieved,
+                                loop.interval.limited_by == "recurrence" ? "recurrence_ii"
+                                                                         : "the ports of " + loop.interval.limited_by);
+    }
+    return text.empty() ? "" : "Intervals that the design does not reach\n" + text;
 }
 
 std::string as_comment(std::string const& text) {
@@ -112,12 +123,12 @@ int write_schedule(ScheduleRequest const& request) {
     for (std::string const& setting : settings_of(schedule))
         overrides.push_back(setting);
     LoadedConfig const scheduled = load_config(config, overrides);
-    std::string text = table_of(schedule, report.version);
+    std::string text = table_of(schedule, report.version) + slower_loops_of(schedule, machine_of(scheduled.config));
     if (!request.config.empty())
         text += totals_of(assumed, scheduled);
     if (out)
-        out->commit(overlay_of(scheduled.config));
-    say("{}", out ? text : as_comment(text) + overlay_of(scheduled.config));
+        out->commit(exported_yaml(scheduled.config));
+    say("{}", out ? text : as_comment(text) + exported_yaml(scheduled.config));
     if (out)
         say("\nwritten: {}\n", request.out);
     return exit_done;

@@ -1,5 +1,6 @@
 #include "faster/config/adopt_trace.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "dataflow/run/config/config_sources.hpp"
@@ -19,7 +20,19 @@ std::vector<std::string> const trace_keys{"accelerator.window",
                                           "accelerator.fraction_bits.fragment_depth",
                                           "accelerator.fraction_bits.depth_buffer",
                                           "workload.camera.width",
-                                          "workload.camera.height"};
+                                          "workload.camera.height",
+                                          "workload.samples.count"};
+
+/// Of what a trace replaces.
+void refuse_overrides_of_workload(LoadedConfig const& loaded) {
+    std::vector<std::string> complaints;
+    for (auto const& [name, origin] : loaded.origins.all())
+        if (origin.source == KeySource::command_line && name.rfind("workload.", 0) == 0 && name != "workload.trace" &&
+            std::find(trace_keys.begin(), trace_keys.end(), name) == trace_keys.end())
+            complaints.push_back(
+                complaint(loaded, name, "none with " + with_value(loaded, "workload.trace") + ", which replaces it"));
+    throw_first(complaints);
+}
 
 /// `source`: for messages
 void adopt(std::vector<std::string> const& names, RunConfig const& of_source, std::string const& source,
@@ -44,8 +57,11 @@ void adopt(std::vector<std::string> const& names, RunConfig const& of_source, st
 
 }  // namespace
 
-void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction) {
+void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction,
+                 std::size_t samples) {
+    refuse_overrides_of_workload(loaded);
     RunConfig of_trace;
+    workload_of(of_trace).samples.count = samples;
     accelerator_of(of_trace).window = window;
     accelerator_of(of_trace).fraction_bits = fraction;
     workload_of(of_trace).camera.width = width;

@@ -6,8 +6,10 @@
 namespace faster {
 
 /// A stimulus trace determines the size of image and window, and the fraction bits (docs/formats.md#stimulus-trace):
-/// its values replace those of the configuration. Throws InputError if an override explicitly asks for something else.
-void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction);
+/// and how many samples there are: its values replace those of the configuration. Throws InputError if an override
+/// explicitly asks for something else, or for any of the workload that the trace replaces.
+void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction,
+                 std::size_t samples);
 
 /// A table of poses determines how many samples there are. Throws InputError if an override says otherwise.
 void adopt_poses(LoadedConfig& loaded, std::size_t count);

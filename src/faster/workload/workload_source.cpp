@@ -18,7 +18,7 @@ Stimulus load_stimulus(LoadedConfig& loaded) {
         return stimulus;
     }
     Stimulus stimulus = files::read_trace(config.trace);
-    adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction);
+    adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction, stimulus.samples.size());
     return stimulus;
 }
 

@@ -103,6 +103,14 @@ std::size_t Machine::loop(std::size_t process, std::string_view name) const {
 
 std::vector<std::size_t> modules_of(Machine const& machine) { return present(machine.processes); }
 std::vector<std::size_t> fifos_of(Machine const& machine) { return present(machine.fifos); }
+char const* against_rewinding(Machine const& machine, MachineLoop const& loop) {
+    bool const is_late = std::any_of(loop.reads.begin(), loop.reads.end(),
+                                     [&](std::size_t fifo) { return machine.fifos[fifo].read_stage > 0; });
+    return is_late               ? "reads a FIFO in a later stage than its first"
+           : loop.makes_attempts ? "accesses a FIFO without waiting"
+                                 : nullptr;
+}
+
 std::vector<std::size_t> loops_of(Machine const& machine) { return present(machine.loops); }
 std::vector<std::size_t> brams_of(Machine const& machine) { return present(machine.memories); }
 

@@ -40,7 +40,7 @@ void hand_over_buffers(CoreDescription& core, std::string const& name, MachineSe
     MemoryDescription memory;
     memory.name = name;
     memory.holds(write->tokens).of_words(1, write->buffer_words, write->bits);
-    memory.in_buffers(settings.fifo(name).depth.value_or(FifoSettings::default_depth));
+    memory.in_buffers(settings.fifo(name).depth.value_or(write->depth));
     write->bits = 0;  // the memory has them
     write->when = When::call_begins;
     write->sized_as = name;

@@ -37,6 +37,12 @@ void check_stage(LoadedConfig const& loaded, std::string const& stage_key, std::
     }
 }
 
+/// By a loop's iterations: of an end that says so, or that the loop names.
+bool is_accessed_by(LoopDescription const& loop, FifoEnd const& end) {
+    std::vector<std::string> const& named = end.writes ? loop.writes : loop.reads;
+    return loop.name == end.loop || std::find(named.begin(), named.end(), end.fifo) != named.end();
+}
+
 /// Of a FIFO that several modules may write, or read, what the ones say that do.
 void check_stages(LoadedConfig const& loaded, CoreDescription const& core, MachineFifo const& fifo,
                   std::vector<std::string>& complaints) {
@@ -44,8 +50,9 @@ void check_stages(LoadedConfig const& loaded, CoreDescription const& core, Machi
         ModuleDescription const& module = core.modules[writes ? fifo.writer : fifo.reader];
         std::string const stage_key = fifo_key_name(fifo.name, writes ? "write_latency" : "read_stage");
         for (FifoEnd const& end : module.ends)
-            if (end.writes == writes && end.fifo == fifo.name && !end.loop.empty())
-                check_stage(loaded, stage_key, stages_key_name(module, end.loop), complaints);
+            for (LoopDescription const& loop : module.loops)
+                if (end.writes == writes && end.fifo == fifo.name && !end.loop.empty() && is_accessed_by(loop, end))
+                    check_stage(loaded, stage_key, stages_key_name(module, loop.name), complaints);
     }
 }
 
@@ -93,6 +100,13 @@ void check_interlocks(LoadedConfig const& loaded, Machine const& machine, Machin
                                            fmt::format("at most {} behind {}, with hazards interlock",
                                                        longest_interlock - 1, with_value(loaded, key("read_stage")))));
     }
+}
+
+void check_rewind(LoadedConfig const& loaded, Machine const& machine, MachineLoop const& loop,
+                  std::vector<std::string>& complaints) {
+    if (char const* const obstacle = against_rewinding(machine, loop); loop.rewinds && obstacle != nullptr)
+        complaints.push_back(
+            complaint(loaded, loop_key_name(loop.timed_by, "rewind"), fmt::format("false, as the loop {}", obstacle)));
 }
 
 std::string type_needed(LoadedConfig const& loaded, std::string const& memory, char const* without) {
@@ -143,7 +157,8 @@ std::vector<std::string> machine_complaints(LoadedConfig const& loaded) {
     for (MachineFifo const& fifo : machine.fifos)
         check_stages(loaded, core, fifo, complaints);
     for (std::size_t const loop : loops_of(machine))
-        check_interlocks(loaded, machine, machine.loops[loop], complaints);
+        for (auto const check : {check_interlocks, check_rewind})
+            check(loaded, machine, machine.loops[loop], complaints);
     for (ModuleDescription const& module : core.modules) {
         for (MemoryDescription const& memory : module.memories)
             check_partition(loaded, memory, complaints);

@@ -120,7 +120,7 @@ void add_buffers_key(Keys& keys, FifoEnd const& written) {
         {fifo_key_name(written.fifo, "depth"), "buffers", fmt::format("Ping-pong buffers: {}.", written.tokens),
          "HLS default"},
         buffers_range, [name = written.fifo](auto& settings) -> decltype(auto) { return settings.fifo(name); },
-        [](auto& settings) -> auto& { return settings.depth; }, FifoSettings::default_depth));
+        [](auto& settings) -> auto& { return settings.depth; }, written.depth));
 }
 
 void add_fifo_keys(Keys& keys, CoreDescription const& core, std::string const& name) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "dataflow/run/config/idle_keys.hpp"
+#include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/keys.hpp"
 
 namespace dataflow {
@@ -47,6 +49,15 @@ std::vector<ResolvedKey> resolved_keys(RunConfig const& config, KeyScope scope) 
         resolved.push_back({key.name(), std::move(value), is_default});
     }
     return resolved;
+}
+
+std::string exported_yaml(RunConfig const& config) {
+    IdleKeys const idle = idle_keys(config);
+    std::vector<ResolvedKey> keys;
+    for (ResolvedKey& key : resolved_keys(config))
+        if (!key.is_default && key.key != architecture_key_name && idle.decider_of(key.key) == nullptr)
+            keys.push_back(std::move(key));
+    return to_yaml(keys);
 }
 
 std::string to_yaml(RunConfig const& config) { return to_yaml(resolved_keys(config)); }

@@ -23,6 +23,10 @@ std::vector<ResolvedKey> resolved_keys(RunConfig const& config, KeyScope scope =
 /// Those of `keys`, in their order, as a configuration file.
 std::string to_yaml(std::vector<ResolvedKey> const& keys);
 
+/// What a configuration file of a configuration has to say: keys that differ from the defaults and are of parts that
+/// are there. It does not name a preset, which might say something else again.
+std::string exported_yaml(RunConfig const& config);
+
 /// A configuration as a file that loads to an equal configuration; values that differ from the default say so in
 /// a comment. Relative paths stay relative to the current folder, so it belongs there.
 std::string to_yaml(RunConfig const& config);

@@ -130,7 +130,8 @@ struct SampleStatistics {
     Cycles end_cycle = 0;
     Counters counters;
 
-    Cycles latency_cycles() const { return end_cycle + 1 - start_cycle; }
+    /// 0 where the module that ends samples is done before the one that begins them.
+    Cycles latency_cycles() const { return end_cycle < start_cycle ? 0 : end_cycle + 1 - start_cycle; }
 };
 
 /// The columns of samples.csv before those of the counters.
@@ -140,7 +141,8 @@ inline constexpr Column<SampleStatistics> sample_columns[]{
     {"start_cycle", "cycle", &SampleStatistics::start_cycle, Tells::when, "in which it starts"},
     {"end_cycle", "cycle", &SampleStatistics::end_cycle, Tells::when, "in which it ends"},
     {"latency_cycles", "cycles", &SampleStatistics::latency_cycles, Tells::when,
-     "end + 1 - start, queueing included. Samples of a core overlap: latencies do not add up to `total_cycles`"},
+     "end + 1 - start, queueing included; 0 if it ends before that. Samples of a core overlap: latencies do not add up "
+     "to `total_cycles`"},
 };
 
 }  // namespace dataflow

@@ -86,7 +86,7 @@ void check_latency(fs::path const& path, std::size_t line, std::int64_t const* v
         auto const follows = static_cast<std::int64_t>(*figure_in(column, sample));
         if (*values != follows)
             fail(path, line,
-                 fmt::format("column {} = {}, expected end_cycle + 1 - start_cycle = {}", column.name, *values,
+                 fmt::format("column {} = {}, expected {}, by start_cycle and end_cycle", column.name, *values,
                              follows));
         ++values;
     }

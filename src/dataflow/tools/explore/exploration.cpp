@@ -146,16 +146,6 @@ Json keys_json(RunConfig const& recorded) {
     return rows;
 }
 
-/// A configuration file of a configuration: what differs from the defaults, so that a preset has said what it had to.
-std::string exported_yaml(RunConfig const& config) {
-    IdleKeys const idle = idle_keys(config);
-    std::vector<ResolvedKey> keys;
-    for (ResolvedKey& key : resolved_keys(config))
-        if (!key.is_default && key.key != architecture_key_name && idle.decider_of(key.key) == nullptr)
-            keys.push_back(std::move(key));
-    return to_yaml(keys);
-}
-
 Json primitives_json(Primitives const& primitives) {
     return {{"luts", primitives.luts},
             {"ramb36", static_cast<double>(primitives.ramb18) / 2},
@@ -332,9 +322,10 @@ Job::Work Exploration::sensitivities(Overrides const& overrides) {
     changed(overrides);  // or there is no room for it
     LoadedConfig const loaded = events::retimed_config(recorded_, overrides);
     return [this, loaded](Job::Progress const& progress) {
-        RunStatistics run;
+        RunStatistics run = replay::retime(scripted_, machine_of(loaded.config));
+        if (run.deadlocked())
+            throw InputError("with these settings the run deadlocks, expected settings with which it ends");
         run.sensitivities = replay::sensitivities(run_, loaded, progress.tell);
-        run.total_cycles = replay::retime(scripted_, machine_of(loaded.config)).total_cycles;
         return Json{{"total_cycles", run.total_cycles}, {"sensitivities", report::sensitivities_json(run)}};
     };
 }

@@ -233,7 +233,10 @@ void CoreCapture::stamped(ProcessTiming const& process, Cycles cycle) {
     event.cycle = cycle;
     event.kind = Kind::stamp;
     event.value = static_cast<std::int64_t>(first_sample_ + process.stamps().size() - 1);
-    put(process, event);
+    if (cycle > process.local_time())  // of a loop that rewinds: the next call's iterations come before it
+        late_[process.index()].push_back(event);
+    else
+        put(process, event);
 }
 
 }  // namespace dataflow::recording

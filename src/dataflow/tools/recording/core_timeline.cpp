@@ -32,11 +32,11 @@ class TimelineMaker {
         TimelineSpan span;
         bool is_open = false;
     };
-    /// The largest occupancy of the bucket at hand.
     struct Occupancy {
         std::uint64_t tokens = 0;
-        std::uint64_t largest = 0;
-        Cycles bucket = 0;
+        Cycles cycle = 0;           ///< from whose end on they are there
+        Cycles bucket = 0;          ///< at hand
+        std::uint64_t largest = 0;  ///< at the end of any cycle of the bucket before that
     };
 
     bool is_in_window(Cycles cycle) const { return cycle >= core_.from && cycle <= core_.to; }
@@ -45,6 +45,8 @@ class TimelineMaker {
     void take_stall(std::size_t module, Event const& event);
     void take_stamp(std::size_t module, Event const& event);
     void change_occupancy(std::size_t fifo, Cycles cycle, int change);
+    void keep_occupancy(Occupancy& now) const;
+    void come_to(std::size_t fifo, Cycles cycle);
     void put_occupancy(std::size_t fifo, Cycles cycle, std::uint64_t tokens);
 
     RecordedCore const& core_;
@@ -139,16 +141,30 @@ void TimelineMaker::take_stamp(std::size_t module, Event const& event) {
 
 void TimelineMaker::change_occupancy(std::size_t fifo, Cycles cycle, int change) {
     Occupancy& now = occupancy_[fifo];
-    Cycles const bucket = cycle / grain_.occupancy_bucket;
-    if (bucket != now.bucket) {
-        put_occupancy(fifo, now.bucket * grain_.occupancy_bucket, now.largest);
-        if (bucket > now.bucket + 1)
-            put_occupancy(fifo, (now.bucket + 1) * grain_.occupancy_bucket, now.tokens);
-        now.bucket = bucket;
-        now.largest = now.tokens;
-    }
+    if (cycle > core_.to)  // decoupled goes beyond the end of the run
+        return;
+    if (cycle != now.cycle)
+        come_to(fifo, cycle);
     now.tokens = change > 0 ? now.tokens + 1 : now.tokens - 1;
-    now.largest = cycle < core_.from ? now.tokens : std::max(now.largest, now.tokens);
+}
+
+/// What is written and read in the same cycle is never there at its end.
+void TimelineMaker::keep_occupancy(Occupancy& now) const {
+    now.largest = now.cycle < core_.from ? now.tokens : std::max(now.largest, now.tokens);
+}
+
+void TimelineMaker::come_to(std::size_t fifo, Cycles cycle) {
+    Occupancy& now = occupancy_[fifo];
+    Cycles const grain = grain_.occupancy_bucket, bucket = cycle / grain;
+    keep_occupancy(now);
+    if (bucket != now.bucket) {
+        put_occupancy(fifo, now.bucket * grain, now.largest);
+        if (bucket > now.bucket + 1)
+            put_occupancy(fifo, (now.bucket + 1) * grain, now.tokens);
+        now.bucket = bucket;
+        now.largest = cycle > bucket * grain ? now.tokens : 0;
+    }
+    now.cycle = cycle;
 }
 
 void TimelineMaker::put_occupancy(std::size_t fifo, Cycles cycle, std::uint64_t tokens) {
@@ -169,7 +185,8 @@ CoreTimeline TimelineMaker::finish() {
         close(loops_[module], core_.to + 1);
     }
     for (std::size_t const fifo : fifos_of(machine_)) {
-        Occupancy const& last = occupancy_[fifo];
+        Occupancy& last = occupancy_[fifo];
+        keep_occupancy(last);
         put_occupancy(fifo, last.bucket * grain_.occupancy_bucket, last.largest);
         put_occupancy(fifo, (last.bucket + 1) * grain_.occupancy_bucket, last.tokens);
     }

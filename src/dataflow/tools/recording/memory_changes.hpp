@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <functional>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "dataflow/tools/recording/memory_recorder.hpp"
@@ -39,7 +40,10 @@ class MemoryChanges {
         Cycles cycle;
         Kind kind;
         timing::ServedBurst const* burst;
-        bool operator>(Change const& other) const { return cycle > other.cycle; }
+        /// Within a cycle a burst arrives before it begins.
+        bool operator>(Change const& other) const {
+            return std::pair(cycle, kind) > std::pair(other.cycle, other.kind);
+        }
     };
     void take_up(timing::ServedBurst const& burst);
 

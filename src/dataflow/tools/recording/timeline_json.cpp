@@ -24,7 +24,7 @@ class LargestInStretches {
             put(at_, largest_);
             put(at_ + stretch_, value_);
             at_ = at;
-            largest_ = value_;
+            largest_ = cycle > at ? value_ : 0;
         }
         value_ = value;
         largest_ = cycle < from_ ? value : std::max(largest_, value);
@@ -37,7 +37,9 @@ class LargestInStretches {
 
   private:
     void put(Cycles cycle, std::uint64_t value) {
-        if (points_.empty() || points_.back().tokens != value)
+        if (!points_.empty() && points_.back().cycle == cycle)
+            points_.back().tokens = value;
+        else if (points_.empty() || points_.back().tokens != value)
             points_.push_back({cycle, value});
     }
 
@@ -64,8 +66,12 @@ class Maker {
     MemoryTimeline make() {
         while (changes_.next_cycle() <= to_) {
             Cycles const cycle = changes_.next_cycle();
-            std::size_t const port = changes_.go_on();
-            port < before_.size() ? take(port, cycle) : queue_.take(cycle, changes_.controller().queue);
+            while (changes_.next_cycle() == cycle)
+                if (std::size_t const port = changes_.go_on(); port < before_.size())
+                    take(port, cycle);
+            queue_.take(cycle, changes_.controller().queue);
+            for (std::size_t port = 0; port < before_.size(); ++port)
+                waiting_[port].take(cycle, changes_.ports()[port].waiting);
         }
         for (std::size_t port = 0; port < before_.size(); ++port) {
             if (before_[port].reads > 0)
@@ -79,7 +85,6 @@ class Maker {
   private:
     void take(std::size_t number, Cycles cycle) {
         MemoryChanges::Port const& port = changes_.ports()[number];
-        waiting_[number].take(cycle, port.waiting);
         if (before_[number].reads > 0)
             busy_until(number, cycle);
         if (port.reads > 0)

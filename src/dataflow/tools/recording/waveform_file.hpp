@@ -38,7 +38,7 @@ class WaveformFile {
 /// picosecond.
 inline bool counts_in_ns(double clock_mhz) {
     double const ns = 1e3 / clock_mhz;
-    return std::abs(ns - std::round(ns)) < 1e-9;
+    return ns > 1.5 && std::abs(ns - std::round(ns)) < 1e-9;  // half a cycle is no whole unit of one
 }
 inline double ticks_per_cycle(double clock_mhz) {
     return counts_in_ns(clock_mhz) ? std::round(1e3 / clock_mhz) : 1e6 / clock_mhz;

@@ -162,7 +162,8 @@ Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
     std::size_t const samples = share_of(number, machine_.cores, run_->run().tape.samples()).count;
     if (results_of(core).size() != samples || std::any_of(core.fifos().begin(), core.fifos().end(), is_left))
         throw InputError("what the recorded processes write is not what they read, expected the file of a run");
-    return load_ + run_end(machine_, core)->cycle + 1;
+    std::optional<RunEnd> const end = run_end(machine_, core);
+    return load_ + (end ? end->cycle + 1 : 0);
 }
 
 CoreTimes::Known CoreTimes::outcome(std::size_t number, timing::CoreTiming& core) {
@@ -172,7 +173,7 @@ CoreTimes::Known CoreTimes::outcome(std::size_t number, timing::CoreTiming& core
     for (std::size_t i = 0; i < machine_.fifos.size(); ++i) {
         timing::FifoTiming const& fifo = core.fifos()[i];
         // A token may not enter in the cycle in which the one whose place it takes leaves.
-        known.room.push_back(fifo.max_occupancy() + 1);
+        known.room.push_back(std::max(fifo.max_occupancy(), fifo.writes() - fifo.reads()) + 1);
         if (known.end != Cut::deadlock)
             tokens_[i] = std::max(tokens_[i], fifo.writes());
     }
@@ -394,7 +395,7 @@ std::optional<Cut> CoreTimes::suspects(std::size_t core, Choice const& choice, C
     Cycles const cycles = is_left ? least_cycles(core, choice) : end_of(timing, core);
     Members const members = cycles == Cut::deadlock ? members_of_deadlock(timing)
                             : is_left ? members_of_path(timing, {machine_.ends, results_of(timing).back()})
-                                      : members_of_path(timing, run_end(machine_, timing).value());
+                                      : members_of_path(timing, run_end(machine_, timing).value_or(RunEnd()));
     return Cut{members, cycles};
 }
 

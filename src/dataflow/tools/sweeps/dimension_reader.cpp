@@ -133,7 +133,7 @@ class DimensionReader {
     static KeyValue of_kind(Key const& key, double value) {
         if (key.kind == KeyKind::integer)
             return static_cast<std::int64_t>(std::llround(value));
-        return value;
+        return std::stod(fmt::format("{:.12g}", value));  // as one writes it: 0.3, not 0.30000000000000004
     }
 
     /// 1 unless given; 0 if it is no good.

@@ -60,6 +60,9 @@ def _places(name: str) -> Iterator[str]:
 
 def call(program: Path_, arguments: Sequence[str], progress: Optional[Progress] = None) -> Ended:
     """Raises InputError with the program's line, where the input is bad. A failed check and a deadlock are for the caller."""
+    for word in arguments:
+        if "\0" in word:
+            raise InputError(f"{word!r} has a character of code 0, expected none")
     found = find(program)
     with tempfile.TemporaryFile() as errors, tempfile.TemporaryFile() as output:
         code = _call([found, *arguments], output, errors, progress)

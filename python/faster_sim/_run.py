@@ -4,7 +4,7 @@ import json
 import os
 import tempfile
 from pathlib import Path
-from typing import Any, Optional, Union
+from typing import Any, Mapping, Optional, Union
 
 from faster_sim import _program, _tables, _values
 from faster_sim._errors import ProgramError
@@ -29,23 +29,25 @@ class Program:
     def __repr__(self) -> str:
         return f"Program({self.path!r})"
 
-    def run(self, config: Path_, *, out: Optional[Path_] = None, progress: Optional[Progress] = None,
-            **more: object) -> Result:
-        """Runs a configuration.
+    def run(self, config: Path_, values: Mapping[str, object] = {}, /, *, out: Optional[Path_] = None,
+            progress: Optional[Progress] = None, **more: object) -> Result:
+        """Runs a configuration, with other values of some keys.
 
         out: folder for all that `run --out` writes; without, nothing is left on the disk but what options name.
         Raises DeadlockError if it gets stuck, InputError for what is wrong with the configuration or a value.
         """
         with tempfile.TemporaryDirectory(prefix="faster-sim-") as temporary:
             folder = Path(out if out is not None else Path(temporary) / "run")
-            ended = _program.call(self.path, ["run", os.fspath(config), "--out", str(folder), *_values.words(more)], progress)
+            words = ["run", os.fspath(config), "--out", str(folder), *_values.settings(values), *_values.words(more)]
+            ended = _program.call(self.path, words, progress)
             return result_in(folder, ended)
 
-    def record(self, config: Path_, path: Path_, *, progress: Optional[Progress] = None, **more: object) -> Events:
-        """Runs a configuration and keeps its events in a file. One that gets stuck raises DeadlockError; what was in the file
-        stays there."""
+    def record(self, config: Path_, path: Path_, values: Mapping[str, object] = {}, /, *,
+               progress: Optional[Progress] = None, **more: object) -> Events:
+        """Runs a configuration, with other values of some keys, and keeps its events in a file. One that gets stuck raises
+        DeadlockError; what was in the file stays there."""
         options: dict[str, Any] = {**more, "events": os.fspath(path)}
-        self.run(config, progress=progress, **options)
+        self.run(config, values, progress=progress, **options)
         return self.load_events(path)
 
     def load_events(self, path: Path_) -> Events:
@@ -119,14 +121,16 @@ def load_events(path: Path_) -> Events:
     return Events(path)
 
 
-def run(config: Path_, *, out: Optional[Path_] = None, progress: Optional[Progress] = None, **more: object) -> Result:
+def run(config: Path_, values: Mapping[str, object] = {}, /, *, out: Optional[Path_] = None,
+        progress: Optional[Progress] = None, **more: object) -> Result:
     """Program("faster-sim").run."""
-    return Program().run(config, out=out, progress=progress, **more)
+    return Program().run(config, values, out=out, progress=progress, **more)
 
 
-def record(config: Path_, path: Path_, *, progress: Optional[Progress] = None, **more: object) -> Events:
+def record(config: Path_, path: Path_, values: Mapping[str, object] = {}, /, *, progress: Optional[Progress] = None,
+           **more: object) -> Events:
     """Program("faster-sim").record."""
-    return Program().record(config, path, progress=progress, **more)
+    return Program().record(config, path, values, progress=progress, **more)
 
 
 def sweep(file: Path_, out: Path_, *, jobs: int = 0, progress: Optional[Progress] = None, **more: object) -> Table:

@@ -15,13 +15,18 @@ def overrides(values: Mapping[str, object]) -> list[str]:
     return [f"{_key(name)}={as_yaml(value)}" for name, value in values.items()]
 
 
+def settings(values: Mapping[str, object]) -> list[str]:
+    """Options of the program that set keys."""
+    return [word for setting in overrides(values) for word in ("--set", setting)]
+
+
 def words(more: Mapping[str, object]) -> list[str]:
     """Options of the program: names with "." or "__" are keys, for --set; others are options, vcd_samples="0-3" for
     --vcd-samples 0-3."""
     said = []
     for name, value in more.items():
         if _is_key(name):
-            said += ["--set", *overrides({name: value})]
+            said += settings({name: value})
         elif isinstance(value, (bool, numpy.bool_)):
             said += [_option(name)] if value else []
         elif value is not None:

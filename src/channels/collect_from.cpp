@@ -26,6 +26,7 @@ RunStatistics collect_from(DataflowAccelerator& accelerator, std::size_t first, 
     for (std::size_t i = first; i < end; ++i) {
         DataflowCore& core = *accelerator.cores()[i];
         core.timing().resolve();
+        core.throw_error();
         results.push_back(all_results(core));
         results.back().resize(core.share().count);  // there are fewer if it is stuck
         cores.push_back({core.share(), core.timing(), results.back().data()});

@@ -109,9 +109,6 @@ void DataflowAccelerator::run() {
         start();
     }
     back_on_own_stack();
-    for (std::unique_ptr<DataflowCore> const& core : cores_)
-        if (core->error())
-            std::rethrow_exception(core->error());
 }
 
 }  // namespace dataflow

@@ -91,6 +91,11 @@ std::vector<DependenceStatistics> DataflowCore::dependences() const {
     return all;
 }
 
+void DataflowCore::throw_error() const {
+    if (error_ && (time_base_.engine == Engine::lockstep || timing_->processes()[failed_].log().exhausted()))
+        std::rethrow_exception(error_);
+}
+
 void DataflowCore::catch_up() {
     if (time_base_.engine != Engine::decoupled)
         return;

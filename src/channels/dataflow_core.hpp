@@ -114,12 +114,17 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     void run_after(DataflowCore const* other) { before_ = other; }
     /// Whether the core has done its share, or has let the next one begin all the same.
     bool is_turn_over() const { return is_turn_over_; }
-    /// A process cannot go on. The first error is thrown by DataflowAccelerator::run().
-    void fail(std::exception_ptr error) {
-        if (!error_)
+    /// A process cannot go on. Of several, the first counts.
+    void fail(std::size_t process, std::exception_ptr error) {
+        if (!error_) {
+            failed_ = process;
             error_ = std::move(error);
+        }
     }
-    std::exception_ptr const& error() const { return error_; }
+    bool has_failed() const { return error_ != nullptr; }
+    /// When all that is known has its cycles: throws the error, unless the process is stuck before it comes there. In
+    /// decoupled, a module is ahead of time.
+    void throw_error() const;
     /// Lets the next core begin. By itself when the share is done.
     void end_turn();
     /// Gives all operations logged so far their cycles, where the SystemC kernel does not do so (decoupled); or tells
@@ -200,6 +205,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     std::vector<std::size_t> begun_;  // samples, by process
     std::size_t samples_ended_ = 0;
     std::exception_ptr error_;
+    std::size_t failed_ = 0;                // the process
     DataflowCore const* before_ = nullptr;  // whose turn is before
     bool is_turn_over_;
     sc_core::sc_event turn_ends_{"turn_ends"};

@@ -160,7 +160,7 @@ bool ProcessClock::attempts_in(FifoChannel const& /*fifo*/, timing::Ports port, 
 }
 
 bool ProcessClock::decide(timing::Ports port, bool only_asks, std::uint64_t iterations_behind) {
-    if (dataflow_core_.error())
+    if (dataflow_core_.has_failed())
         sc_core::wait(sc_core::sc_event());  // for ever: a core of which a process has failed is not to go on by asking
     for (sc_core::sc_time left = left_until(timing_.local_time()); left > sc_core::SC_ZERO_TIME;
          left = left_until(timing_.local_time()))

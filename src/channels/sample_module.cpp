@@ -15,7 +15,7 @@ void SampleModule::run() {
     try {
         work_on_all();
     } catch (std::exception const&) {
-        core_.fail(std::current_exception());
+        core_.fail(clock_.timing().index(), std::current_exception());
     }
 }
 

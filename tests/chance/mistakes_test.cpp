@@ -43,6 +43,17 @@ TEST_CASE("a mistake is told even if another module goes on asking for ever") {
                "did you mean send?");
 }
 
+TEST_CASE("a mistake behind a deadlock is not come to, in either engine") {
+    Pair pair = sound_pair();
+    auto const sends = pair.writes;
+    pair.writes = [sends](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        sends(clock, fifo);
+        clock.pipeline("sent", 1, [](std::uint64_t) {});
+    };
+    pair.reads = [](ProcessClock& clock, ClockedFifo<Token>&) { clock.advance(1); };
+    check_both(pair, "stuck 1");
+}
+
 TEST_CASE("a core has a result for each sample, unless it is stuck") {
     Pair pair = sound_pair();
     for (std::size_t const results : {0U, 2U}) {

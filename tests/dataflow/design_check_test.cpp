@@ -157,7 +157,7 @@ TEST_CASE("a design with a port to the external memory has the keys of the memor
 }
 
 TEST_CASE("names are words that keys can have", "[machine]") {
-    for (char const* const name : {"", "a.b", "a b", "a:b", "a*"}) {
+    for (char const* const name : {"", "a.b", "a b", "a:b", "a*", "~", "&x", "null"}) {
         std::string const expected = std::string("has the name \"") + name + "\", expected a word";
         CHECK_THAT(complaint_about([&](auto& writer, auto&) { writer.name = name; }), Contains(expected));
         CHECK_THAT(complaint_about([&](auto& writer, auto&) { writer.loop(name).of_depth(1); }), Contains(expected));

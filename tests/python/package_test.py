@@ -47,7 +47,7 @@ class PackageTest(unittest.TestCase):
 
     def test_a_what_if_is_what_a_run_takes(self) -> None:
         retimed = self.events.whatif({DEPTH: 16})
-        run = faster_sim.run(CONFIG, **SMALL, **{DEPTH: 16})
+        run = faster_sim.run(CONFIG, {DEPTH: 16}, **SMALL)
         self.assertNotEqual(run.total_cycles, self.events.summary["total_cycles"])
         self.assertEqual(retimed.total_cycles, run.total_cycles)
         self.assertEqual(retimed.milliseconds, run.milliseconds)
@@ -125,6 +125,8 @@ class PackageTest(unittest.TestCase):
             self.events.whatif({"accelerator.raster_core": 1})
         with self.assertRaisesRegex(ValueError, "did you mean accelerator.raster_cores"):
             faster_sim.run(CONFIG, **{"accelerator.raster_core": 1})
+        with self.assertRaisesRegex(faster_sim.InputError, "character of code 0"):
+            faster_sim.run("a\0b.yaml")
         with self.assertRaisesRegex(faster_sim.InputError, "nowhere.events"):
             faster_sim.load_events(self.folder / "nowhere.events")
         with self.assertRaises(faster_sim.InputError):

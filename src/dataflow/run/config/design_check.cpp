@@ -1,6 +1,7 @@
 #include "dataflow/run/config/design_check.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,7 @@ class NamedOnce {
   public:
     NamedOnce(std::string where, std::string kind) : where_(std::move(where)), kind_(std::move(kind)) {}
     void add(std::string const& name) {
-        constexpr char const* of_other_meaning = " \t\n.:,=/*?[]{}\"'";
-        if (name.empty() || name.find_first_of(of_other_meaning) != std::string::npos)
+        if (!is_word(name))
             throw InputError(where_ + " one of the " + kind_ + " has the name \"" + name +
                              "\", expected a word, such as row_buffer, which keys and tables can have");
         if (has(names_, name))
@@ -36,6 +36,15 @@ class NamedOnce {
     }
 
   private:
+    /// `null` is none in a configuration file.
+    static bool is_word(std::string const& name) {
+        auto const is_of_word = [](char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+        };
+        return !name.empty() && std::all_of(name.begin(), name.end(), is_of_word) && name != "null" && name != "Null" &&
+               name != "NULL";
+    }
+
     std::string where_;
     std::string kind_;
     Names names_;

@@ -188,7 +188,8 @@ void add_stuck(std::vector<timing::Wait> const& waits, std::uint64_t index, std:
     for (timing::Wait const& wait : waits)
         stuck.push_back({index, wait.process, wait.position, wait.fifo, wait.to_write, wait.occupancy, wait.capacity,
                          wait.since, wait.other, wait.for_memory,
-                         std::string(wait.site.file) + ":" + std::to_string(wait.site.line)});
+                         *wait.site.file == '\0' ? std::string()
+                                                 : std::string(wait.site.file) + ":" + std::to_string(wait.site.line)});
 }
 
 /// Lookups charge a flushing pipeline ahead with the bubbles before its next token, which does not come here.

@@ -123,12 +123,13 @@ void host_speed(std::string& text, RunStatistics const& run, HostTime const& hos
 }
 
 std::string describe(StuckProcess const& p) {
+    std::string const place = p.source.empty() ? p.position : p.position + ", " + p.source;
     if (p.waits_for_memory)
-        return fmt::format("core {}: {} ({}, {}) waits for memory, {}; since cycle {}", p.core, p.process, p.position,
-                           p.source, p.fifo, p.since_cycle);
-    return fmt::format("core {}: {} ({}, {}) waits for {} to {} {}, which holds {} of {} tokens; since cycle {}",
-                       p.core, p.process, p.position, p.source, p.waits_for, p.to_write ? "read from" : "write to",
-                       p.fifo, p.occupancy, p.capacity, p.since_cycle);
+        return fmt::format("core {}: {} ({}) waits for memory, {}; since cycle {}", p.core, p.process, place, p.fifo,
+                           p.since_cycle);
+    return fmt::format("core {}: {} ({}) waits for {} to {} {}, which holds {} of {} tokens; since cycle {}", p.core,
+                       p.process, place, p.waits_for, p.to_write ? "read from" : "write to", p.fifo, p.occupancy,
+                       p.capacity, p.since_cycle);
 }
 
 }  // namespace

@@ -754,6 +754,11 @@ TEST_CASE("A map takes the entries of those that << names, its own first", "[con
 
 TEST_CASE("<< takes maps and lists of maps, and faults in them are where they stand", "[config][yaml][errors]") {
     CHECK(file_error("accelerator:\n  <<: 3\n").find("test.yaml:2: << with something else than a map") == 0);
+    CHECK(file_error("a: &a {window: 8, window: 9}\naccelerator:\n  <<: *a\n").find("stands twice, expected once") !=
+          std::string::npos);
+    CHECK(
+        file_error("a: &a {window: 8}\naccelerator:\n  <<: *a\n  <<: *a\n").find("test.yaml:4: a second << in a map") ==
+        0);
     CHECK(file_error("accelerator:\n  <<: [{window: 3}, 4]\n").find("test.yaml:2: << with something else") == 0);
     CHECK(file_error("x-a: &a\n  window: x\naccelerator:\n  <<: *a\n").find("test.yaml:2: accelerator.window = x,") ==
           0);

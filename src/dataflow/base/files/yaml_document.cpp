@@ -134,8 +134,9 @@ bool has_key(Entries const& entries, YAML::Node const& key) {
 void add_missing(YAML::Node const& map, YAML::Mark const& mark, Entries& entries) {
     if (!map.IsMap())
         throw YAML::ParserException(mark, "<< with something else than a map or a list of maps");
+    Entries const before = entries;  // a key that stands twice in the map itself does so in what comes out, too
     for (auto const& entry : map)
-        if (!has_key(entries, entry.first))
+        if (!has_key(before, entry.first))
             entries.emplace_back(entry.first, entry.second);
 }
 
@@ -144,7 +145,10 @@ Entries merged_entries(YAML::Node const& map) {
     Entries entries;
     std::vector<YAML::Node> merged;
     for (auto const& entry : map)
-        if (is_merge_key(entry.first))
+        if (is_merge_key(entry.first) && !merged.empty())
+            throw YAML::ParserException(entry.first.Mark(),
+                                        "a second << in a map, expected one, with a list: [*a, *b]");
+        else if (is_merge_key(entry.first))
             merged.push_back(entry.second);
         else
             entries.emplace_back(entry.first, entry.second);

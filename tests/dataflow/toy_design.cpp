@@ -24,6 +24,7 @@ ModuleDescription describe_worker(ToyConfig const& config) {
         .accesses_memory("table", {{{0, 0}, {-1, 0}, {1, 0}}, {{0, 0}}})
         .in_stages({"table", 1, 3, 3, 1})
         .writes_to({"answer"});
+    module.loop("repeat").does("says the last answer again").of_depth(5).writes_to({"answer"});
     module.memory("table").holds("rows of the table").of_words(config.rows, 4, 36).sized_by("toy.rows");
     SetupDescription setup;
     setup.depth = 5;

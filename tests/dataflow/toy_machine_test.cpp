@@ -76,7 +76,7 @@ TEST_CASE("A machine has the parts of its description, by number and by name", "
     CHECK(machine.processes[worker].ends[0].fifo == number);
     CHECK_FALSE(machine.processes[worker].ends[0].writes);
     CHECK(machine.processes[worker].ends[1].writes);
-    CHECK(machine.processes[worker].loops == Numbers{0});
+    CHECK(machine.processes[worker].loops == Numbers{0, 1});
     CHECK(machine.processes[source].loops.empty());
     CHECK(machine.processes[worker].setup_cycles == 5);
     CHECK(machine.processes[worker].setup_counter == number);
@@ -180,7 +180,7 @@ TEST_CASE("A part that is not there keeps its number, and says which key takes i
     Machine const machine = machine_with(config);
     CHECK(modules_of(machine) == Numbers{source, worker});
     CHECK(fifos_of(machine) == Numbers{number});
-    CHECK(loops_of(machine) == Numbers{0});
+    CHECK(loops_of(machine) == Numbers{0, 1});
     CHECK(brams_of(machine) == Numbers{0});
     CHECK(machine.process_places() == 2);
     CHECK(machine.process("sink") == sink);
@@ -203,8 +203,10 @@ TEST_CASE("The description makes the keys of a machine, with their defaults", "[
                 "accelerator.loops.worker.look_up.recurrence_ii", "accelerator.loops.worker.look_up.depth",
                 "accelerator.loops.worker.look_up.table.read_stage",
                 "accelerator.loops.worker.look_up.table.write_stage", "accelerator.loops.worker.look_up.table.hazards",
-                "accelerator.brams.table.ports", "accelerator.brams.table.partition.type",
-                "accelerator.brams.table.partition.factor", "accelerator.brams.table.partition.dimension"});
+                "accelerator.loops.worker.repeat.ii", "accelerator.loops.worker.repeat.recurrence_ii",
+                "accelerator.loops.worker.repeat.depth", "accelerator.brams.table.ports",
+                "accelerator.brams.table.partition.type", "accelerator.brams.table.partition.factor",
+                "accelerator.brams.table.partition.dimension"});
     RunConfig config;
     auto const value = [&](std::string const& name) { return json_text(key_named(keys, name).read(config)); };
     CHECK(value("accelerator.fifos.answer.depth") == "2");
@@ -268,7 +270,10 @@ TEST_CASE("A file and overrides configure the toy", "[config]") {
 TEST_CASE("What contradicts itself in any machine is refused", "[config][errors]") {
     CHECK(set_error("accelerator.fifos.answer.write_latency=5") ==
           "--set accelerator.fifos.answer.write_latency=5: expected at most 4, one less than "
-          "accelerator.loops.worker.look_up.depth = 5 (default)");
+          "accelerator.loops.worker.look_up.depth = 5 (default) (and 1 more)");
+    CHECK(set_error("accelerator.loops.worker.repeat.depth=3") ==  // which names the FIFO
+          "--set accelerator.loops.worker.repeat.depth=3: expected at least 4 because of "
+          "accelerator.fifos.answer.write_latency = 3 (default): set that too, to at most 2");
     CHECK(set_error("accelerator.loops.worker.look_up.depth=3") ==
           "--set accelerator.loops.worker.look_up.depth=3: expected at least 4 because of "
           "accelerator.fifos.answer.write_latency = 3 (default): set that too, to at most 2");

@@ -5,8 +5,8 @@
 
 namespace faster {
 
-/// A stimulus trace determines the size of image and window, and the fraction bits (docs/formats.md#stimulus-trace):
-/// and how many samples there are: its values replace those of the configuration. Throws InputError if an override
+/// A stimulus trace determines the size of image and window, the fraction bits, and how many samples there are
+/// (docs/formats.md#stimulus-trace): its values replace those of the configuration. Throws InputError if an override
 /// explicitly asks for something else, or for any of the workload that the trace replaces.
 void adopt_trace(LoadedConfig& loaded, int width, int height, int window, FractionBits const& fraction,
                  std::size_t samples);

@@ -43,7 +43,7 @@ class TargetBoxes {
         for (bop::Target const& target : data_.dataset.targets)
             for (bop::Detection const* const detection : detected_[{target.image, target.obj_id}])
                 add(target, bop::sound(*detection));
-        if (!outside_.empty())
+        if (boxes_outside_ > 0)
             warnings_.push_back(fmt::format("{}: boxes outside of their images are left out: {}, such as {}", file,
                                             boxes_outside_, outside_));
     }
@@ -76,8 +76,7 @@ class TargetBoxes {
   private:
     void add(bop::Target const& target, bop::Detection const& detection) {
         bop::ImageBox const& box = detection.box;
-        Size const size = size_of(target.image);
-        if (estimation::overlaps({box.left, box.top, box.width, box.height, 0}, size.width, size.height)) {
+        if (overlaps(box, camera(target.image))) {
             data_.boxes[{target.image, target.obj_id}].push_back(detection);
             return;
         }
@@ -86,16 +85,11 @@ class TargetBoxes {
                                target.image.im_id, target.image.scene_id);
     }
 
-    struct Size {
-        int width = 0, height = 0;
-    };
-    /// Of the image itself: what camera.json says is meant for others.
-    Size size_of(bop::ImageId id) {
-        auto const [found, is_new] = sizes_.try_emplace(id);
-        if (is_new) {
-            Camera const camera = bop::load_observation(*data_.dataset.find(id)).camera;
-            found->second = {camera.width, camera.height};
-        }
+    /// With the size of the image itself: what camera.json says is meant for others.
+    Camera const& camera(bop::ImageId id) {
+        auto const [found, is_new] = cameras_.try_emplace(id);
+        if (is_new)
+            found->second = bop::load_observation(*data_.dataset.find(id)).camera;
         return found->second;
     }
 
@@ -111,10 +105,10 @@ class TargetBoxes {
     double confidence_;
     std::deque<bop::Detection> kept_;
     std::map<std::pair<bop::ImageId, int>, std::vector<bop::Detection const*>> detected_;
-    std::map<bop::ImageId, Size> sizes_;
+    std::map<bop::ImageId, Camera> cameras_;
     std::map<int, Mesh> meshes_;
-    std::string outside_;
     std::size_t boxes_outside_ = 0;
+    std::string outside_;  // the last of them
     std::vector<std::string> warnings_;
 };
 

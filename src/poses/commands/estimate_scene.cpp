@@ -102,7 +102,7 @@ std::vector<bop::Detection> boxes_in(bop::DatasetImage const& image, poses::Trut
 }
 
 void require_overlap(bop::ImageBox const& box, Camera const& camera, BopRequest const& request) {
-    if (estimation::overlaps({box.left, box.top, box.width, box.height, 0}, camera.width, camera.height))
+    if (overlaps(box, camera))
         return;
     throw InputError(fmt::format("{}: box [{}, {}, {}, {}], expected one that overlaps the image of {} x {} pixels",
                                  request.detections.empty() ? request.folder : request.detections, box.left, box.top,
@@ -146,6 +146,10 @@ void add_truths_and_boxes(estimation::Scene& scene, poses::Truths const& truths,
 
 std::optional<double> unit_of_models(std::string const& name) {
     return name.empty() ? std::nullopt : std::optional(name == "m" ? 1.0 : 1e-3);
+}
+
+bool overlaps(bop::ImageBox const& box, Camera const& camera) {
+    return estimation::overlaps({box.left, box.top, box.width, box.height, 0}, camera.width, camera.height);
 }
 
 bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera) {

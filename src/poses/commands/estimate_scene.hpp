@@ -25,9 +25,8 @@ struct BopRequest {
 
 /// The scene of an image: the truths are the object's most visible annotated poses in it, as many as the targets ask
 /// for. Boxes: all detections of the object in the image or, without detections, the truths' that are not hidden, with
-/// the confidence of
-/// `estimator.box.confidence`; an object that nobody detected, or that is hidden, has none. Says what looks like a
-/// mistake of the dataset's. Throws InputError for what the dataset does not have.
+/// the confidence of `estimator.box.confidence`; an object that nobody detected, or that is hidden, has none. Says what
+/// looks like a mistake of the dataset's. Throws InputError for what the dataset does not have.
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request);
 
 /// The scene of a target of a dataset at hand, and `boxes`, whose confidences are their scores.
@@ -39,6 +38,9 @@ std::optional<double> unit_of_models(std::string const& name);
 
 /// The annotated box of what is visible, or of all of it, or else what the pose says.
 bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera);
+
+/// Whether some pixel of a camera's image lies in a box.
+bool overlaps(bop::ImageBox const& box, Camera const& camera);
 
 /// The scene of a configuration: its workload without samples, whose pose is the truth, and the box of
 /// `estimator.box.*`. Throws InputError for a trace, no samples, and a box outside the image.

@@ -84,17 +84,15 @@ void EstimateWorker::take(WantedEstimate const& wanted, processes::Outcome const
 std::string results_of(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
                        SettingData const& setting, MethodData const& method) {
     std::vector<bop::PoseEstimate> estimates;
-    for (WantedEstimate const& each : wanted) {
-        experiments::EstimateResult const* const result = journal.find(each.id);
-        if (each.setting != &setting || each.method != &method || result == nullptr)
-            continue;
-        bop::PoseEstimate estimate;
-        estimate.image = each.target.image;
-        estimate.obj_id = each.target.obj_id;
-        estimate.score = result->weight;
-        estimate.pose = result->pose;
-        estimates.push_back(estimate);
-    }
+    for_each_result(wanted, journal, setting, method,
+                    [&](WantedEstimate const& each, experiments::EstimateResult const& result) {
+                        bop::PoseEstimate estimate;
+                        estimate.image = each.target.image;
+                        estimate.obj_id = each.target.obj_id;
+                        estimate.score = result.weight;
+                        estimate.pose = result.pose;
+                        estimates.push_back(estimate);
+                    });
     return bop::pose_results_csv(estimates);
 }
 

@@ -158,16 +158,6 @@ std::vector<SettingData> prepared(experiments::Experiment const& experiment, fs:
     return settings;
 }
 
-/// Of the estimates of a method in a setting that are there.
-template <class Take>
-void for_each_result(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
-                     SettingData const& setting, MethodData const& method, Take take) {
-    for (WantedEstimate const& each : wanted)
-        if (each.setting == &setting && each.method == &method)
-            if (experiments::EstimateResult const* const result = journal.find(each.id))
-                take(each, *result);
-}
-
 /// Of the largest number that a share of `values` does not exceed.
 double quantile(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
@@ -270,15 +260,13 @@ std::string verdicts_table(std::vector<WantedEstimate> const& wanted, experiment
     for (SettingData const& setting : settings)
         for (MethodData const& method : methods) {
             std::array<std::size_t, 2> all{}, right{};  // found, others
-            for (WantedEstimate const& each : wanted) {
-                experiments::EstimateResult const* const result = journal.find(each.id);
-                if (each.setting != &setting || each.method != &method || result == nullptr)
-                    continue;
-                std::size_t const verdict = result->verdict == "found" ? 0 : 1;
-                std::optional<JudgedError> const off = errors.of(each);
-                ++all[verdict];
-                right[verdict] += off && off->adds_m < right_m ? 1U : 0U;
-            }
+            for_each_result(wanted, journal, setting, method,
+                            [&](WantedEstimate const& each, experiments::EstimateResult const& result) {
+                                std::size_t const verdict = result.verdict == "found" ? 0 : 1;
+                                std::optional<JudgedError> const off = errors.of(each);
+                                ++all[verdict];
+                                right[verdict] += off && off->adds_m < right_m ? 1U : 0U;
+                            });
             fmt::format_to(std::back_inserter(text), "| {} | {} | {} | {} | {} | {} |\n", setting.name, method.name,
                            all[0], right[0], all[1], right[1]);
         }

@@ -19,6 +19,7 @@ struct SettingData {
     std::string name;
     bop::Dataset dataset;
     std::map<std::pair<bop::ImageId, int>, std::vector<bop::Detection>> boxes;  ///< by image and obj_id
+
     std::vector<bop::Detection> const& boxes_of(bop::Target const& target) const;
 };
 
@@ -42,6 +43,17 @@ struct WantedEstimate {
 /// InputError for a file that is not there.
 std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& settings,
                                              std::vector<MethodData> const& methods);
+
+/// Calls `take` with each estimate of a method in a setting that is there, and its result, in their order: that of the
+/// rows of results_of().
+template <class Take>
+void for_each_result(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
+                     SettingData const& setting, MethodData const& method, Take take) {
+    for (WantedEstimate const& each : wanted)
+        if (each.setting == &setting && each.method == &method)
+            if (experiments::EstimateResult const* const result = journal.find(each.id))
+                take(each, *result);
+}
 
 /// What one looks at.
 estimation::Scene scene_of(WantedEstimate const& wanted);

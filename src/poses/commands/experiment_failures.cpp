@@ -41,6 +41,10 @@ Part part_around(DetectionConfig const& a, DetectionConfig const& b) {
     return {static_cast<int>((top + bottom - side) / 2), static_cast<int>((left + right - side) / 2), side};
 }
 
+DetectionConfig box_of(estimation::Scene const& scene, Pose const& pose) {
+    return estimation::box_around(scene.observed.posed.mesh.vertices, pose, scene.observed.posed.camera);
+}
+
 /// Pixels that a pose covers and that have a neighbour which it does not cover.
 Image<std::uint8_t> outline(estimation::Scene const& scene, Pose const& pose) {
     Camera const& camera = scene.observed.posed.camera;
@@ -93,11 +97,8 @@ Image<Colour> picture_of(Failure const& failure) {
     estimation::Scene const scene = scene_of(*failure.wanted);
     Pose const estimated = scene.centred(failure.result->pose);
     Stimulus const& observed = scene.observed;
-    auto const box_of = [&](Pose const& pose) {
-        return estimation::box_around(observed.posed.mesh.vertices, pose, observed.posed.camera);
-    };
     Pose const& true_pose = nearest_truth(scene, estimated)->pose;
-    Part const part = part_around(box_of(true_pose), box_of(estimated));
+    Part const part = part_around(box_of(scene, true_pose), box_of(scene, estimated));
     Image<std::uint8_t> const truth = outline(scene, true_pose), estimate = outline(scene, estimated);
     Greys const greys(observed.observed_depth, part);
     Image<Colour> picture(part.side, part.side, palette::paper);
@@ -126,10 +127,6 @@ constexpr double wrong_m = 0.02;
 constexpr double least_overlap = 0.1;
 constexpr double least_in_window = 0.9;
 constexpr double least_visible = 0.1;
-
-DetectionConfig box_of(estimation::Scene const& scene, Pose const& pose) {
-    return estimation::box_around(scene.observed.posed.mesh.vertices, pose, scene.observed.posed.camera);
-}
 
 bool was_seen(estimation::Scene const& scene, Pose const& pose) {
     DetectionConfig const truth = box_of(scene, pose);
@@ -194,10 +191,10 @@ void JudgedErrors::add(SettingData const& setting, MethodData const& method, std
     for (poses::EstimateErrors const& estimate : judgement.estimates)
         by_line[estimate.line] = {estimate.add_m, estimate.add_s_m, estimate.mssd_m};
     std::size_t line = 1;  // names the columns
-    for (WantedEstimate const& each : wanted)
-        if (each.setting == &setting && each.method == &method && journal.find(each.id) != nullptr)
-            if (auto const found = by_line.find(++line); found != by_line.end())
-                errors_.emplace(&each, found->second);
+    for_each_result(wanted, journal, setting, method, [&](WantedEstimate const& each, auto const&) {
+        if (auto const found = by_line.find(++line); found != by_line.end())
+            errors_.emplace(&each, found->second);
+    });
 }
 
 std::optional<JudgedError> JudgedErrors::of(WantedEstimate const& wanted) const {

@@ -287,25 +287,24 @@ class DatasetMaker {
         std::mutex mutex;
         std::size_t done = 0;
         on_threads(images_.size(), jobs, [&](std::size_t i) {
-            bool is_as_wished = true;
-            images_[i] = made_image(obj_id_of(setting_.objects[i / per_class()]), static_cast<int>(i % per_class()),
-                                    is_as_wished);
+            bop::ImageId const id{obj_id_of(setting_.objects[i / per_class()]), static_cast<int>(i % per_class())};
+            MadeScene scene = made_scene({id.scene_id, setting_.visible, seed_, static_cast<std::uint64_t>(id.im_id)},
+                                         meshes_, camera_);
+            bool const is_as_wished = scene.is_as_wished;
+            images_[i] = written_image(id, std::move(scene));
             std::lock_guard<std::mutex> const lock(mutex);
             missed_ += is_as_wished ? 0U : 1U;
             progress(++done, images_.size());
         });
     }
 
-    bop::DatasetImage made_image(int obj_id, int number, bool& is_as_wished) const {
-        MadeScene scene =
-            made_scene({obj_id, setting_.visible, seed_, static_cast<std::uint64_t>(number)}, meshes_, camera_);
-        is_as_wished = scene.is_as_wished;
+    bop::DatasetImage written_image(bop::ImageId id, MadeScene scene) const {
         bop::DatasetImage image;
-        image.id = {obj_id, number};
+        image.id = id;
         image.camera = camera_;
         image.depth_unit_m = bop::written_depth_unit_m;
         image.objects = std::move(scene.objects);
-        files::write_png(scene_folder(obj_id) / "depth" / fmt::format("{:06}.png", number),
+        files::write_png(scene_folder(id.scene_id) / "depth" / fmt::format("{:06}.png", id.im_id),
                          bop::depth_counts(scene.depth));
         return image;
     }

@@ -101,8 +101,6 @@ std::size_t Machine::loop(std::size_t process, std::string_view name) const {
     return static_cast<std::size_t>(found - loops.begin());
 }
 
-std::vector<std::size_t> modules_of(Machine const& machine) { return present(machine.processes); }
-std::vector<std::size_t> fifos_of(Machine const& machine) { return present(machine.fifos); }
 char const* against_rewinding(Machine const& machine, MachineLoop const& loop) {
     bool const is_late = std::any_of(loop.reads.begin(), loop.reads.end(),
                                      [&](std::size_t fifo) { return machine.fifos[fifo].read_stage > 0; });
@@ -111,6 +109,8 @@ char const* against_rewinding(Machine const& machine, MachineLoop const& loop) {
                                  : nullptr;
 }
 
+std::vector<std::size_t> modules_of(Machine const& machine) { return present(machine.processes); }
+std::vector<std::size_t> fifos_of(Machine const& machine) { return present(machine.fifos); }
 std::vector<std::size_t> loops_of(Machine const& machine) { return present(machine.loops); }
 std::vector<std::size_t> brams_of(Machine const& machine) { return present(machine.memories); }
 

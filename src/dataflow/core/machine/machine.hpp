@@ -172,12 +172,13 @@ std::string keyed_loop(ModuleDescription const& module, LoopDescription const& l
 /// "MODULE.LOOP" whose keys time the loop with a name within a module. Errors: std::logic_error if it has no such loop.
 std::string keyed_loop(ModuleDescription const& module, std::string const& loop);
 
+/// What keeps a loop from rewinding, as its module has nothing more to do for a call that is over; null: nothing.
+char const* against_rewinding(Machine const& machine, MachineLoop const& loop);
+
 /// Numbers of the parts that are there, in order.
 std::vector<std::size_t> modules_of(Machine const& machine);
 std::vector<std::size_t> fifos_of(Machine const& machine);
 std::vector<std::size_t> loops_of(Machine const& machine);
-/// What keeps a loop from rewinding, as its module has nothing more to do for a call that is over; null: nothing.
-char const* against_rewinding(Machine const& machine, MachineLoop const& loop);
 std::vector<std::size_t> brams_of(Machine const& machine);
 std::vector<std::size_t> streams_of(Machine const& machine);
 /// The masters of an external memory: the streams of every core that are there.

@@ -23,6 +23,8 @@ class FifoTiming {
     std::uint64_t writes() const { return passed_ + rules_.free.consumed(); }
     std::uint64_t reads() const { return passed_ + rules_.readable.consumed(); }
     std::uint64_t max_occupancy() const { return max_occupancy_; }
+    /// When all is done: tokens that nobody reads are counted then only.
+    std::uint64_t final_max_occupancy() const { return std::max(max_occupancy_, writes() - reads()); }
     Cycles full_stall_cycles() const { return full_stall_cycles_; }
     Cycles empty_stall_cycles() const { return empty_stall_cycles_; }
 

@@ -156,9 +156,10 @@ std::vector<std::string> machine_complaints(LoadedConfig const& loaded) {
     Machine const machine = make_machine(core, loaded.config.machine());
     for (MachineFifo const& fifo : machine.fifos)
         check_stages(loaded, core, fifo, complaints);
-    for (std::size_t const loop : loops_of(machine))
-        for (auto const check : {check_interlocks, check_rewind})
-            check(loaded, machine, machine.loops[loop], complaints);
+    for (std::size_t const loop : loops_of(machine)) {
+        check_interlocks(loaded, machine, machine.loops[loop], complaints);
+        check_rewind(loaded, machine, machine.loops[loop], complaints);
+    }
     for (ModuleDescription const& module : core.modules) {
         for (MemoryDescription const& memory : module.memories)
             check_partition(loaded, memory, complaints);

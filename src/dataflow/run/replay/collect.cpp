@@ -19,8 +19,7 @@ FifoStatistics fifo_statistics(MachineFifo const& fifo, timing::FifoTiming const
     row.reads = timing.reads();
     row.full_stall_cycles = timing.full_stall_cycles();
     row.empty_stall_cycles = timing.empty_stall_cycles();
-    // Tokens that nobody reads are counted at the end only.
-    row.max_occupancy = std::max(timing.max_occupancy(), timing.writes() - timing.reads());
+    row.max_occupancy = timing.final_max_occupancy();
     return row;
 }
 

@@ -6,8 +6,6 @@
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/run/config/design.hpp"
-#include "dataflow/run/config/idle_keys.hpp"
-#include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/keys.hpp"
 #include "dataflow/run/config/plain_text.hpp"
 #include "dataflow/run/config/resolved_config.hpp"

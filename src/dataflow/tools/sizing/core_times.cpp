@@ -173,7 +173,7 @@ CoreTimes::Known CoreTimes::outcome(std::size_t number, timing::CoreTiming& core
     for (std::size_t i = 0; i < machine_.fifos.size(); ++i) {
         timing::FifoTiming const& fifo = core.fifos()[i];
         // A token may not enter in the cycle in which the one whose place it takes leaves.
-        known.room.push_back(std::max(fifo.max_occupancy(), fifo.writes() - fifo.reads()) + 1);
+        known.room.push_back(fifo.final_max_occupancy() + 1);
         if (known.end != Cut::deadlock)
             tokens_[i] = std::max(tokens_[i], fifo.writes());
     }

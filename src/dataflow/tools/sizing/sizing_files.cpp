@@ -9,6 +9,7 @@
 #include "dataflow/base/json.hpp"
 #include "dataflow/run/config/enum_names.hpp"
 #include "dataflow/run/config/idle_keys.hpp"
+#include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/resolved_config.hpp"
 
 namespace dataflow::sizing {
@@ -272,7 +273,7 @@ static bool belongs_to_answer(ResolvedKey const& key, IdleKeys const& idle) {
                key.key.compare(key.key.size() - ending.size(), ending.size(), ending) == 0;
     };
     bool const is_of_fifo = key.key.rfind("accelerator.fifos.", 0) == 0 && (is(".depth") || is(".kind"));
-    return key.key.rfind("accelerator.", 0) == 0 && key.key != "accelerator.architecture" &&
+    return key.key.rfind("accelerator.", 0) == 0 && key.key != architecture_key_name &&
            idle.decider_of(key.key) == nullptr && (is_of_fifo || !key.is_default);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dataflow/tools/recording/event_merge.hpp"
+#include "dataflow/tools/recording/largest_in_stretches.hpp"
 
 namespace dataflow::recording {
 
@@ -18,7 +19,7 @@ class TimelineMaker {
           grain_(grain),
           loops_(machine_.processes.size()),
           stalls_(machine_.processes.size()),
-          occupancy_(machine_.fifos.size()) {
+          occupancy_(machine_.fifos.size(), {0, {core.from, core.to, grain.occupancy_bucket}}) {
         timeline_.core = core.core;
         timeline_.machine = core.machine;
         timeline_.occupancy.resize(machine_.fifos.size());
@@ -34,9 +35,7 @@ class TimelineMaker {
     };
     struct Occupancy {
         std::uint64_t tokens = 0;
-        Cycles cycle = 0;           ///< from whose end on they are there
-        Cycles bucket = 0;          ///< at hand
-        std::uint64_t largest = 0;  ///< at the end of any cycle of the bucket before that
+        LargestInStretches largest;
     };
 
     bool is_in_window(Cycles cycle) const { return cycle >= core_.from && cycle <= core_.to; }
@@ -45,9 +44,6 @@ class TimelineMaker {
     void take_stall(std::size_t module, Event const& event);
     void take_stamp(std::size_t module, Event const& event);
     void change_occupancy(std::size_t fifo, Cycles cycle, int change);
-    void keep_occupancy(Occupancy& now) const;
-    void come_to(std::size_t fifo, Cycles cycle);
-    void put_occupancy(std::size_t fifo, Cycles cycle, std::uint64_t tokens);
 
     RecordedCore const& core_;
     Machine const& machine_;
@@ -139,44 +135,11 @@ void TimelineMaker::take_stamp(std::size_t module, Event const& event) {
             begun = {sample, begun.begin, event.cycle + 1, true};
 }
 
+/// What is written and read in the same cycle is never there at its end.
 void TimelineMaker::change_occupancy(std::size_t fifo, Cycles cycle, int change) {
     Occupancy& now = occupancy_[fifo];
-    if (cycle > core_.to)  // decoupled goes beyond the end of the run
-        return;
-    if (cycle != now.cycle)
-        come_to(fifo, cycle);
     now.tokens = change > 0 ? now.tokens + 1 : now.tokens - 1;
-}
-
-/// What is written and read in the same cycle is never there at its end.
-void TimelineMaker::keep_occupancy(Occupancy& now) const {
-    now.largest = now.cycle < core_.from ? now.tokens : std::max(now.largest, now.tokens);
-}
-
-void TimelineMaker::come_to(std::size_t fifo, Cycles cycle) {
-    Occupancy& now = occupancy_[fifo];
-    Cycles const grain = grain_.occupancy_bucket, bucket = cycle / grain;
-    keep_occupancy(now);
-    if (bucket != now.bucket) {
-        put_occupancy(fifo, now.bucket * grain, now.largest);
-        if (bucket > now.bucket + 1)
-            put_occupancy(fifo, (now.bucket + 1) * grain, now.tokens);
-        now.bucket = bucket;
-        now.largest = cycle > bucket * grain ? now.tokens : 0;
-    }
-    now.cycle = cycle;
-}
-
-void TimelineMaker::put_occupancy(std::size_t fifo, Cycles cycle, std::uint64_t tokens) {
-    std::vector<OccupancyPoint>& points = timeline_.occupancy[fifo];
-    std::uint64_t const shown = std::min(tokens, core_.fifos[fifo].capacity);
-    if (cycle > core_.to)
-        return;
-    Cycles const at = std::max(cycle, core_.from);
-    if (!points.empty() && points.back().cycle == at)
-        points.back().tokens = shown;
-    else if (points.empty() || points.back().tokens != shown)
-        points.push_back({at, shown});
+    now.largest.take(cycle, std::min(now.tokens, core_.fifos[fifo].capacity));
 }
 
 CoreTimeline TimelineMaker::finish() {
@@ -184,12 +147,8 @@ CoreTimeline TimelineMaker::finish() {
         close(stalls_[module], stalls_[module].span.end);
         close(loops_[module], core_.to + 1);
     }
-    for (std::size_t const fifo : fifos_of(machine_)) {
-        Occupancy& last = occupancy_[fifo];
-        keep_occupancy(last);
-        put_occupancy(fifo, last.bucket * grain_.occupancy_bucket, last.largest);
-        put_occupancy(fifo, (last.bucket + 1) * grain_.occupancy_bucket, last.tokens);
-    }
+    for (std::size_t const fifo : fifos_of(machine_))
+        timeline_.occupancy[fifo] = occupancy_[fifo].largest.finish();
     std::stable_sort(timeline_.spans.begin(), timeline_.spans.end(), outermost_first);
     return std::move(timeline_);
 }

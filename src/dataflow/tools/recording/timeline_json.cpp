@@ -7,49 +7,12 @@
 
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/json.hpp"
+#include "dataflow/tools/recording/largest_in_stretches.hpp"
 #include "dataflow/tools/recording/memory_changes.hpp"
 
 namespace dataflow::recording {
 
 namespace {
-
-/// Values over time: the largest in each stretch of so many cycles.
-class LargestInStretches {
-  public:
-    LargestInStretches(Cycles from, Cycles stretch) : from_(from), stretch_(stretch) {}
-
-    void take(Cycles cycle, std::uint64_t value) {
-        Cycles const at = from_ + (std::max(cycle, from_) - from_) / stretch_ * stretch_;
-        if (at > at_) {
-            put(at_, largest_);
-            put(at_ + stretch_, value_);
-            at_ = at;
-            largest_ = cycle > at ? value_ : 0;
-        }
-        value_ = value;
-        largest_ = cycle < from_ ? value : std::max(largest_, value);
-    }
-    std::vector<OccupancyPoint> finish() {
-        put(at_, largest_);
-        put(at_ + stretch_, value_);
-        return std::move(points_);
-    }
-
-  private:
-    void put(Cycles cycle, std::uint64_t value) {
-        if (!points_.empty() && points_.back().cycle == cycle)
-            points_.back().tokens = value;
-        else if (points_.empty() || points_.back().tokens != value)
-            points_.push_back({cycle, value});
-    }
-
-    Cycles from_;
-    Cycles stretch_;
-    Cycles at_ = from_;
-    std::uint64_t value_ = 0;
-    std::uint64_t largest_ = 0;
-    std::vector<OccupancyPoint> points_;
-};
 
 class Maker {
   public:
@@ -59,8 +22,8 @@ class Maker {
           to_(to),
           grain_(grain),
           timeline_{std::vector<MemoryTimeline::Port>(memory.shape.ports), {}},
-          waiting_(memory.shape.ports, {from, grain}),
-          queue_(from, grain),
+          waiting_(memory.shape.ports, {from, to, grain}),
+          queue_(from, to, grain),
           before_(changes_.ports()) {}
 
     MemoryTimeline make() {

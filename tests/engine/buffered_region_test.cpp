@@ -148,6 +148,32 @@ TEST_CASE("A region travels with its buffer, past samples that touch nothing", "
     }
 }
 
+TEST_CASE("What a module waits for when the last sample is over is not in its cycles", "[double_buffers]") {
+    // The read-out waits for the maps of a sample that touches nothing, which are cleared first: its result does not
+    // need them.
+    Engine const engine = GENERATE(Engine::lockstep, Engine::decoupled);
+    for (int const samples : {2, 3})
+        for (std::uint64_t const depth : {2U, 16U})
+            for (MapClearing const clearing : {MapClearing::loop, MapClearing::on_read_out}) {
+                CAPTURE(engine, samples, depth, static_cast<int>(clearing));
+                AcceleratorConfig config = with_cores(1);
+                config.inlier_unit.sweep_region = SweepRegion::touched;
+                config.edge_map.buffers = 2;
+                config.inlier_unit.clearing = clearing;
+                config.fifo(FifoId::edge_token).depth = depth;
+                Stimulus stimulus = triangle_now_and_then(24, samples);
+                stimulus.triangles.front() = {{{16, 16, 16384}, {16, 96, 16384}, {96, 16, 16384}}};
+                RunStatistics const run = run_forked(config, stimulus, engine).statistics;
+                for (std::size_t const i : modules_of(run.machine)) {
+                    CAPTURE(module_ids[i].name);
+                    ProcessStatistics const& process = run.cores.at(0).processes[i];
+                    CHECK(process.sum() == run.total_cycles);
+                    for (Cycles const cycles : process.cycles)
+                        CHECK(cycles <= run.total_cycles);
+                }
+            }
+}
+
 TEST_CASE("What was drawn into a buffer is cleared before anybody draws there again", "[double_buffers]") {
     for (std::uint64_t seed = 21000; seed < 21040; ++seed) {
         CAPTURE(seed);

@@ -206,8 +206,17 @@ Cycles ProcessTiming::due(Cycles left) const {
 
 void ProcessTiming::charge(ProcessPort const& port, Cycles stall) {
     add_stall(port, stall);
+    figures_.latest_waits[figures_.waits++ % figures_.latest_waits.size()] = {port.number, stall, state_.time};
     if (observer_ != nullptr)
         observer_->stalled(*this, port.number, state_.time - stall, state_.time);
+}
+
+Cycles ProcessTiming::waited_beyond(Cycles end, unsigned port) const {
+    Cycles beyond = 0;
+    for (ProcessFigures::Wait const& wait : figures_.latest_waits)
+        if (wait.port == port && wait.until > end)
+            beyond += std::min(wait.cycles, wait.until - end);
+    return beyond;
 }
 
 void ProcessTiming::performs(Ports::Number ports, Cycles arrival) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -59,6 +60,14 @@ struct ProcessFigures {
     std::uint64_t loops_entered = 0;
     std::vector<LoopCounters> loops;
     std::vector<Cycles> stamps;
+    /// What it waited for last, some of which may lie beyond the end of the run, and up to when. A ring.
+    struct Wait {
+        unsigned port = 0;
+        Cycles cycles = 0;
+        Cycles until = 0;
+    };
+    std::array<Wait, 4> latest_waits{};
+    unsigned waits = 0;
 };
 
 /// Gives every operation of one process of a core its cycle, by ProcessRules and BulkRuns, and counts what happens.
@@ -186,6 +195,9 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
         bool const is_idle = figures_.idle_before_cycles > 0 && port < figures_.waits_before.size();
         return is_idle ? figures_.waits_before[port] : 0;
     }
+    /// Of what it waited for at a port, the part that lies beyond a cycle at which the run is over. Of the last few
+    /// waits, as hardly more can be: what ends a run has taken what others did for it.
+    Cycles waited_beyond(Cycles end, unsigned port) const;
     bool has_accessed() const { return figures_.has_accessed; }
 
     /// From now on, goes step by step and tells the observer. Null: no longer.

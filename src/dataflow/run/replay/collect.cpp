@@ -75,10 +75,10 @@ class CycleSorter {
             row[CycleClass::idle_before] = end;
             return row;
         }
-        add_stalls(process, row);
+        Cycles const waited_beyond = add_stalls(process, end, row);
         add_loop_costs(process, row);
         row[CycleClass::setup] = cycles_of_setups(process);
-        cut_off(process, process.end() - end, row);
+        cut_off(process, process.end() - end - waited_beyond, row);
         if (row.sum() > end)  // it can only be iterations that wait for writes, of which nobody knows when they did
             row[CycleClass::recurrence] -= std::min(row[CycleClass::recurrence], row.sum() - end);
         row[CycleClass::busy] = end - row.sum();
@@ -87,7 +87,7 @@ class CycleSorter {
     }
 
   private:
-    void add_stalls(timing::ProcessTiming const& process, ProcessStatistics& row) const;
+    Cycles add_stalls(timing::ProcessTiming const& process, Cycles end, ProcessStatistics& row) const;
     void add_loop_costs(timing::ProcessTiming const& process, ProcessStatistics& row) const;
     Cycles cycles_of_setups(timing::ProcessTiming const& process) const;
     void cut_off(timing::ProcessTiming const& process, Cycles beyond, ProcessStatistics& row) const;
@@ -97,20 +97,27 @@ class CycleSorter {
     Cycles total_cycles_;
 };
 
-/// By FIFO: what its reader or writer waited for. The wait for a process's first token is no stall.
-void CycleSorter::add_stalls(timing::ProcessTiming const& process, ProcessStatistics& row) const {
+/// By FIFO: what its reader or writer waited for. The wait for a process's first token is no stall. Returns the part
+/// that lies beyond the end, which is not in the row.
+Cycles CycleSorter::add_stalls(timing::ProcessTiming const& process, Cycles end, ProcessStatistics& row) const {
+    Cycles all_beyond = 0;
+    row[CycleClass::memory_stall] = process.memory_stall_cycles();
+    row[CycleClass::idle_before] = process.idle_before_cycles();
     for (unsigned port = 0; port < process.port_count(); ++port) {
         timing::FifoTiming const& fifo = process.fifo(port);
-        if (fifo.is_memory())
+        Cycles const beyond = process.waited_beyond(end, port);
+        all_beyond += beyond;
+        if (fifo.is_memory()) {
+            row[CycleClass::memory_stall] -= beyond;
             continue;
+        }
         bool const writes = process.writes(port);
-        Cycles const idle = process.idle_before_cycles(port);
-        Cycles const stall = (writes ? fifo.full_stall_cycles() : fifo.empty_stall_cycles()) - idle;
+        Cycles const all = writes ? fifo.full_stall_cycles() : fifo.empty_stall_cycles();
+        Cycles const stall = all - process.idle_before_cycles(port) - beyond;
         row.stalls[core_.number_of(fifo)] += stall;
         row[writes ? CycleClass::full_stall : CycleClass::empty_stall] += stall;
     }
-    row[CycleClass::memory_stall] = process.memory_stall_cycles();
-    row[CycleClass::idle_before] = process.idle_before_cycles();
+    return all_beyond;
 }
 
 void CycleSorter::add_loop_costs(timing::ProcessTiming const& process, ProcessStatistics& row) const {

@@ -32,7 +32,8 @@ class Maker {
           dice_for_attempts_(~seed),
           dice_for_memory_(seed ^ 0x5A5A5A5A),
           dice_for_empty_(seed ^ 0x3C3C3C3C),
-          dice_for_pace_(seed ^ 0x69696969) {}
+          dice_for_pace_(seed ^ 0x69696969),
+          dice_for_described_(seed ^ 0x96969696) {}
 
     Design make() {
         add_processes();
@@ -86,6 +87,8 @@ class Maker {
             fifo.write_stage = dice_.one_in(2) ? 0 : dice_.below(7);
             fifo.read_stage = dice_.one_in(2) ? 0 : dice_.below(5);
             set_room(fifo, dice_);
+            if (dice_for_described_.one_in(2))
+                fifo.described_depth = fifo.depth;
             fifo.is_ping_pong = may_hand_over && fifo.writer < fifo.reader && dice_.one_in(2);
             if (have_attempts && !fifo.is_ping_pong && dice_for_attempts_.one_in(2)) {
                 fifo.writer_tries = dice_for_attempts_.one_in(2);
@@ -333,6 +336,7 @@ class Maker {
     Dice dice_for_memory_;
     Dice dice_for_empty_;
     Dice dice_for_pace_;
+    Dice dice_for_described_;
     Design design_;
 };
 
@@ -347,14 +351,18 @@ ModuleDescription module_of(Design const& design, std::size_t number) {
         if (!end.writes)
             end.taken(process.loops.front().name, fifo.read_stage);
         else
-            end.carries("numbers").of_bits(fifo.bits).leaves(process.loops.front().name, fifo.write_stage);
+            end.carries("numbers")
+                .of_bits(fifo.bits)
+                .leaves(process.loops.front().name, fifo.write_stage)
+                .of_depth(fifo.described_depth);
         if (fifo.writer_tries)
             end.keeps_tokens();
     }
     for (std::size_t const f : process.buffers) {
         Fifo const& fifo = design.fifos[f];
         if (design.writes(number, f))
-            module.writes_to(fifo.name).carries("buffers").of_bits(fifo.bits).hands_over(16);
+            module.writes_to(fifo.name).carries("buffers").of_bits(fifo.bits).hands_over(16).of_depth(
+                fifo.described_depth);
         else
             module.reads_from(fifo.name);
     }
@@ -454,7 +462,8 @@ MachineSettings settings_of(Design const& design) {
     settings.fifo_rules = design.rules;
     settings.external_memory = design.memory;
     for (Fifo const& fifo : design.fifos) {
-        settings.fifo(fifo.name).depth = fifo.depth;
+        if (fifo.depth != fifo.described_depth)
+            settings.fifo(fifo.name).depth = fifo.depth;
         settings.fifo(fifo.name).kind = fifo.kind;
     }
     for (Process const& process : design.processes) {

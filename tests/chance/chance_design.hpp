@@ -19,6 +19,7 @@ struct Fifo {
     std::size_t writer = 0;  ///< numbers of processes
     std::size_t reader = 0;
     std::uint64_t depth = 2;
+    std::uint64_t described_depth = 2;  ///< the depth without a key
     FifoKind kind = FifoKind::automatic;
     unsigned bits = 32;
     Cycles write_stage = 0;

@@ -22,14 +22,14 @@ ModuleDescription& module_with(CoreDescription& core, std::string const& fifo, b
     });
 }
 
-/// A token that a module hands to another in a cycle of their calls.
-void add_hand_over(CoreDescription& core, std::string const& name, ModuleDescription& from, When written,
-                   ModuleDescription& to, When read, std::string const& sized_as) {
+/// A token that a module hands to another in a cycle of their calls. Returns the end that writes it.
+FifoEnd& add_hand_over(CoreDescription& core, std::string const& name, ModuleDescription& from, When written,
+                       ModuleDescription& to, When read) {
     core.fifos.push_back(name);
+    to.reads_from(name).when = read;
     FifoEnd& write = from.writes_to(name);
     write.carries("a token for each call").when = written;
-    write.sized_as = sized_as;
-    to.reads_from(name).when = read;
+    return write;
 }
 
 void hand_over_buffers(CoreDescription& core, std::string const& name, MachineSettings const& settings) {
@@ -40,15 +40,18 @@ void hand_over_buffers(CoreDescription& core, std::string const& name, MachineSe
     MemoryDescription memory;
     memory.name = name;
     memory.holds(write->tokens).of_words(1, write->buffer_words, write->bits);
-    memory.in_buffers(settings.fifo(name).depth.value_or(write->depth));
+    std::uint64_t const buffers = write->depth;
+    memory.in_buffers(settings.fifo(name).depth.value_or(buffers));
     write->bits = 0;  // the memory has them
     write->when = When::call_begins;
     write->sized_as = name;
     read->when = When::call_ends;
     ModuleDescription& writer = module_with(core, name, true);
     writer.memories.push_back(memory);
-    add_hand_over(core, filled_fifo(name), writer, When::call_ends, module_with(core, name, false), When::call_begins,
-                  name);
+    FifoEnd& filled = add_hand_over(core, filled_fifo(name), writer, When::call_ends, module_with(core, name, false),
+                                    When::call_begins);
+    filled.sized_as = name;
+    filled.depth = buffers;
 }
 
 }  // namespace
@@ -61,8 +64,8 @@ CoreDescription with_calls(CoreDescription core, MachineSettings const& settings
     for (std::size_t i = 1; settings.calls == CallOrder::in_turn && i < core.modules.size(); ++i) {
         std::string const name = core.modules[i].name;
         add_hand_over(core, name + "_begins", core.modules[0], When::region_begins, core.modules[i],
-                      When::region_begins, "");
-        add_hand_over(core, name + "_ends", core.modules[0], When::region_begins, core.modules[i], When::call_ends, "");
+                      When::region_begins);
+        add_hand_over(core, name + "_ends", core.modules[0], When::region_begins, core.modules[i], When::call_ends);
     }
     return core;
 }

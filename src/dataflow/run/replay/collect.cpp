@@ -105,7 +105,7 @@ Cycles CycleSorter::add_stalls(timing::ProcessTiming const& process, Cycles end,
     row[CycleClass::idle_before] = process.idle_before_cycles();
     for (unsigned port = 0; port < process.port_count(); ++port) {
         timing::FifoTiming const& fifo = process.fifo(port);
-        Cycles const beyond = process.waited_beyond(end, port);
+        Cycles const beyond = process.end() > end ? process.waited_beyond(end, port) : 0;
         all_beyond += beyond;
         if (fifo.is_memory()) {
             row[CycleClass::memory_stall] -= beyond;

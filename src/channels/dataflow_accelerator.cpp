@@ -92,6 +92,8 @@ void DataflowAccelerator::limit_to(std::size_t first, std::size_t end) {
 void DataflowAccelerator::start() {
     try {
         sc_core::sc_start();
+        if (sc_core::sc_get_status() == sc_core::SC_STOPPED)
+            throw InputError("a module has called sc_stop(), expected a run to end when all have done their samples");
     } catch (sc_core::sc_report const& report) {
         throw InputError(std::string("SystemC: ") + report.get_msg_type() + ": " + report.get_msg() +
                          ", expected a design that it can run");

@@ -54,8 +54,10 @@ void ProcessClock::refuse_outside(char const* what) const {
 void ProcessClock::access_closely(timing::Ports port) {
     if (is_in_tokens_body_)
         refuse_in_tokens_body(fifos_[port.first()]->timing().name());
-    timing_.note_site(port.first(), site_);
+    if (!is_pipelining_)
+        timing_.note_site(port.first(), site_);
     if (!collecting_) {
+        site_ = SourceSite();
         step(port);
         return;
     }

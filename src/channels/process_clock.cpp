@@ -291,7 +291,7 @@ sc_core::sc_time ProcessClock::left_until(Cycles cycle) const {
 void ProcessClock::wait_for_tokens(FifoChannel& fifo, timing::Ports others) {
     if (is_held_ && collecting_ && lockstep() && follow_in_lockstep(reached_ + fifo.timing().shape().read_stage))
         return;  // a token may have come
-    timing_.set_starving(static_cast<int>(fifo.read_port().first()));
+    timing_.set_starving(static_cast<int>(fifo.read_port().first()), site_);
     taken_.each([&](unsigned port) {
         if (collected_.has(port))
             others = others | timing::Ports::of(port);
@@ -301,7 +301,6 @@ void ProcessClock::wait_for_tokens(FifoChannel& fifo, timing::Ports others) {
             if (taking.step == step_of_read(fifo))
                 others = others | taking.reads;
     timing_.set_starving_with(others);
-    timing_.note_site(fifo.read_port().first(), site_);
     fifo.reader_waits_ = true;
     sc_core::wait(fifo.written_);
     timing_.set_starving(-1);

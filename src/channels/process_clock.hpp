@@ -523,6 +523,7 @@ class Step {
     }
     ~Step() noexcept(false) {
         clock_.collecting_ = false;
+        clock_.site_ = SourceSite();
         timing::Ports const ports = clock_.collected_;
         clock_.collected_ = timing::Ports();
         if (!ports.is_empty())

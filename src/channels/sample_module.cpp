@@ -1,8 +1,34 @@
 #include "channels/sample_module.hpp"
 
 #include <exception>
+#include <new>
+#include <string>
+
+#include "dataflow/base/held_signals.hpp"
+#include "dataflow/base/input_error.hpp"
 
 namespace dataflow {
+
+namespace {
+/// Of the exception at hand: itself, or the mistake of the design that it is where work() has thrown it.
+std::exception_ptr as_mistake(std::string const& module, std::size_t sample) {
+    auto const mistake = [&](std::string const& what) {
+        return std::make_exception_ptr(InputError("module " + module + " has thrown " + what + " in sample " +
+                                                  std::to_string(sample) + ", expected work() to return"));
+    };
+    try {
+        throw;
+    } catch (InputError const&) {
+    } catch (std::bad_alloc const&) {
+    } catch (processes::Interrupted const&) {
+    } catch (std::exception const& error) {
+        return mistake("\"" + std::string(error.what()) + "\"");
+    } catch (...) {
+        return mistake("what is no std::exception");
+    }
+    return std::current_exception();
+}
+}  // namespace
 
 SampleModule::SampleModule(sc_core::sc_module_name const& name, DataflowCore& core)
     : sc_module(name), clock_(core, basename()), core_(core) {
@@ -14,8 +40,10 @@ SampleModule::SampleModule(sc_core::sc_module_name const& name, DataflowCore& co
 void SampleModule::run() {
     try {
         work_on_all();
-    } catch (std::exception const&) {
-        core_.fail(clock_.timing().index(), std::current_exception());
+    } catch (sc_core::sc_unwind_exception const&) {
+        throw;  // the kernel ends the process
+    } catch (...) {
+        core_.fail(clock_.timing().index(), as_mistake(clock_.timing().name(), sample_));
     }
 }
 
@@ -27,7 +55,8 @@ void SampleModule::work_on_all() {
         if (number == core_.machine().begins && number != core_.machine().ends)
             clock_.stamp();
         clock_.begin_call();
-        work(core_.share().first + i);
+        sample_ = core_.share().first + i;
+        work(sample_);
         if (number == core_.machine().ends)
             clock_.stamp();
         clock_.end_call();

@@ -30,6 +30,7 @@ class SampleModule : public sc_core::sc_module {
     void work_on_all();
 
     DataflowCore& core_;
+    std::size_t sample_ = 0;  ///< at hand
 };
 
 }  // namespace dataflow

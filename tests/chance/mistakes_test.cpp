@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <string>
+#include <vector>
 
 #include "chance/pair.hpp"
 
@@ -10,7 +11,10 @@ namespace mistakes_test {
 using namespace faster;
 using namespace faster::chance;
 using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
 using Catch::Matchers::Equals;
+using Catch::Matchers::StartsWith;
+
 void check_both(Pair const& pair, std::string const& expected) {
     CHECK_THAT(outcome_of(pair, Engine::lockstep), Equals(expected));
     CHECK_THAT(outcome_of(pair, Engine::decoupled), Equals(expected));
@@ -52,6 +56,18 @@ TEST_CASE("a mistake behind a deadlock is not come to, in either engine") {
     };
     pair.reads = [](ProcessClock& clock, ClockedFifo<Token>&) { clock.advance(1); };
     check_both(pair, "stuck 1");
+}
+
+TEST_CASE("what a module throws is told with its name and sample") {
+    Pair pair = sound_pair();
+    pair.writes = [](ProcessClock&, ClockedFifo<Token>&) { std::vector<int>().at(1); };
+    for (Engine const engine : {Engine::lockstep, Engine::decoupled})
+        CHECK_THAT(outcome_of(pair, engine), StartsWith("module writer has thrown \"vector::_M_range_check") &&
+                                                 EndsWith("\" in sample 0, expected work() to return"));
+    pair.writes = [](ProcessClock&, ClockedFifo<Token>&) { throw 7; };
+    check_both(pair, "module writer has thrown what is no std::exception in sample 0, expected work() to return");
+    pair.writes = [](ProcessClock&, ClockedFifo<Token>&) { sc_core::sc_stop(); };
+    check_both(pair, "a module has called sc_stop(), expected a run to end when all have done their samples");
 }
 
 TEST_CASE("a core has a result for each sample, unless it is stuck") {

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <memory>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,34 @@ void run(CoreTiming& core, std::vector<ProcessTiming*> const& processes, bool on
     }
     core.resolve();
     REQUIRE(core.waits().empty());
+}
+
+TEST_CASE("The largest occupancy of what is handed over without delay is that at the end of a cycle", "[timing]") {
+    for (unsigned seed = 1; seed <= 500; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        FifoShape shape;
+        shape.capacity = 1 + random() % 4;
+        shape.read_latency = shape.room_latency = 0;
+        FifoTiming fifo(shape);
+        std::vector<Cycles> writes, reads;
+        std::uint64_t largest = 0;
+        while (reads.size() < 40) {
+            bool const may_write = fifo.known_writes() > 0 && writes.size() < 40;
+            Cycles const pause = random() % 3;
+            if (may_write && (fifo.known_reads() == 0 || random() % 2 == 0)) {
+                writes.push_back(std::max(writes.empty() ? 0 : writes.back() + pause, fifo.earliest_write()));
+                fifo.write(writes.back());
+            } else {
+                reads.push_back(std::max(reads.empty() ? 0 : reads.back() + pause, fifo.earliest_read()));
+                fifo.read(reads.back());
+            }
+        }
+        for (std::size_t n = 0; n < writes.size(); ++n)
+            for (std::size_t k = 0; k <= n; ++k)
+                largest = std::max<std::uint64_t>(largest, reads[k] > writes[n] ? n - k + 1 : 0);
+        CHECK(fifo.max_occupancy() == largest);
+    }
 }
 
 TEST_CASE("A FIFO access is legal from the cycle its other side allows", "[timing]") {

@@ -10,6 +10,10 @@ struct SourceSite {
     static constexpr SourceSite here(char const* file = __builtin_FILE(), unsigned line = __builtin_LINE()) {
         return {file, line};
     }
+    /// Names of files are compared by where they stand in memory: a file has one.
+    friend bool operator==(SourceSite const& one, SourceSite const& other) {
+        return one.file == other.file && one.line == other.line;
+    }
 };
 
 }  // namespace dataflow

@@ -70,14 +70,14 @@ MemorySystem::Served MemorySystem::serve() {
     joint.is_waiting = false;
     MemoryMaster& master = joint.master;
     MemoryBurst const& burst = master.next_burst();
-    std::uint64_t const arrival = (ask + shape_.request_cycles) * shape_.period_ps;
-    std::uint64_t& controller_free_ps = controllers_free_ps_[shape_.is_shared ? 0 : number];
-    std::uint64_t const begin = std::max(arrival, controller_free_ps);
+    Picoseconds const arrival = Picoseconds{ask + shape_.request_cycles} * shape_.period_ps;
+    Picoseconds& controller_free_ps = controllers_free_ps_[shape_.is_shared ? 0 : number];
+    Picoseconds const begin = std::max(arrival, controller_free_ps);
     controller_free_ps = begin + burst.granules * shape_.granule_ps;
     controller_.granules += burst.granules;
     note_queue(arrival, begin);
     controller_.history.arrived(ask + shape_.request_cycles, burst.beats, begins_ps_.size());
-    Cycles cycle = (begin + shape_.latency_ps + shape_.period_ps - 1) / shape_.period_ps;
+    auto cycle = static_cast<Cycles>((begin + shape_.latency_ps + shape_.period_ps - 1) / shape_.period_ps);
     if (!master.stream().is_write()) {
         Cycles& port_free = ports_free_[shape_.is_shared ? joint.port : number];
         cycle = std::max(cycle, port_free);
@@ -92,7 +92,7 @@ MemorySystem::Served MemorySystem::serve() {
     return served;
 }
 
-void MemorySystem::note_queue(std::uint64_t arrival, std::uint64_t begin) {
+void MemorySystem::note_queue(Picoseconds arrival, Picoseconds begin) {
     while (!begins_ps_.empty() && begins_ps_.front() <= arrival)
         begins_ps_.pop_front();
     if (begin > arrival)

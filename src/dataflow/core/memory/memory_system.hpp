@@ -98,7 +98,7 @@ class MemorySystem {
     Cycles wake(Served const& served);
     void let_go(std::size_t core);
     Cycles unknown_from() const;
-    void note_queue(std::uint64_t arrival, std::uint64_t begin);
+    void note_queue(Picoseconds arrival, Picoseconds begin);
 
     ExternalMemory shape_;
     std::vector<MasterShape> shapes_;
@@ -116,12 +116,12 @@ class MemorySystem {
     std::deque<MemoryMaster::HandedOut> handed_out_;  // by core
     std::deque<Joint> masters_;                       // of the first core, of the second, ...
     Requests requests_;
-    std::vector<std::uint64_t> controllers_free_ps_;  // one, or one of each master
-    std::vector<Cycles> ports_free_;                  // of all, or one of each master
+    std::vector<Picoseconds> controllers_free_ps_;  // one, or one of each master
+    std::vector<Cycles> ports_free_;                // of all, or one of each master
     std::vector<PortFigures> port_figures_;
     ControllerFigures controller_;
     std::function<void(ServedBurst const&)> served_call_;
-    std::deque<std::uint64_t> begins_ps_;  // of bursts that begin later than they arrive
+    std::deque<Picoseconds> begins_ps_;  // of bursts that begin later than they arrive
 };
 
 }  // namespace dataflow::timing

@@ -9,10 +9,10 @@ namespace dataflow::timing {
 /// When what happened to a burst (docs/memory-model.md).
 struct ServedBurst {
     Cycles asked = 0;
-    Cycles arrived = 0;          ///< at the controller
-    std::uint64_t begin_ps = 0;  ///< there
-    std::uint64_t end_ps = 0;    ///< granules it takes included
-    Cycles first_beat = 0;       ///< of a read, at its port; of a write, its acknowledgement
+    Cycles arrived = 0;        ///< at the controller
+    Picoseconds begin_ps = 0;  ///< there
+    Picoseconds end_ps = 0;    ///< granules it takes included
+    Cycles first_beat = 0;     ///< of a read, at its port; of a write, its acknowledgement
     std::uint64_t beats = 0;
     std::size_t port = 0;
     bool is_write = false;  ///< takes no beats of the port

@@ -72,10 +72,10 @@ template <class Line> struct FifoRules {
     /// the line of room from that write on, of which `known` are known.
     template <class Freed>
     std::uint64_t raised_by_write(std::uint64_t largest, Time readable_from, std::uint64_t known, Freed freed) const {
-        Time const after = readable_from - read_latency + 1;
+        Time const after = readable_from - read_latency + later_than_read;
         for (std::uint64_t m = std::max(largest, room + 1 - known); m < capacity && freed(room - m) > after;)
             largest = ++m;
-        return std::max<std::uint64_t>(largest, 1);  // a token stays for a cycle at least (Lf >= 1)
+        return std::max<std::uint64_t>(largest, read_latency > 0 ? 1 : 0);  // it stays for a cycle at least
     }
     /// `largest`, raised by the read in a cycle. `readable_at(i)`: the i-th cycle of readable from that read on.
     template <class ReadableAt>

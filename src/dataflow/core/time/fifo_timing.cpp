@@ -58,9 +58,9 @@ void FifoTiming::look_at_writes(std::uint64_t first) {
 
 void FifoTiming::look_at_reads(std::uint64_t first) {
     for (std::uint64_t read = first; read != 0; ++read)
-        max_occupancy_ =
-            rules_.raised_by_read(max_occupancy_, rules_.free[known_writes() + read] - 1, known_reads() - read,
-                                  [this, read](std::uint64_t i) { return rules_.readable[read + i]; });
+        max_occupancy_ = rules_.raised_by_read(
+            max_occupancy_, rules_.free[known_writes() + read] - rules_.later_than_read, known_reads() - read,
+            [this, read](std::uint64_t i) { return rules_.readable[read + i]; });
 }
 
 }  // namespace dataflow::timing

@@ -76,14 +76,14 @@ class FifoTiming {
     /// the last token before theirs shows.
     void note_writes(std::uint64_t count) {
         std::uint64_t const first = 0 - count;  // from the fronts on: they are behind the writes now
-        Cycles const after = written(first) - rules_.read_latency + 1;
+        Cycles const after = written(first) - rules_.read_latency + rules_.later_than_read;
         std::uint64_t const last = std::min(rules_.room - max_occupancy_, known_writes()) - 1;
         if (max_occupancy_ == 0 || (max_occupancy_ < rules_.capacity && rules_.free[last] > after))
             look_at_writes(first);
     }
     void note_reads(std::uint64_t count) {
         std::uint64_t const first = 0 - count;
-        Cycles const last = rules_.free[known_writes() - 1] - 1;
+        Cycles const last = rules_.free[known_writes() - 1] - rules_.later_than_read;
         if (max_occupancy_ < rules_.capacity && max_occupancy_ < known_reads() + count &&
             rules_.readable[first + max_occupancy_] < last + rules_.read_latency)
             look_at_reads(first);

@@ -289,6 +289,7 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
     arrival_ = other.arrival_;
     charged_until_ = other.charged_until_;
     starving_port_ = other.starving_port_;
+    starving_site_ = other.starving_site_;
     starving_with_ = other.starving_with_;
     makes_attempts_ = other.makes_attempts_;
     set_observer(observer_);
@@ -311,6 +312,17 @@ LoopCost ProcessTiming::loop_cost(unsigned loop) const {
     Cycles const of_pipeline = shape.depth > interval.achieved ? shape.depth - interval.achieved : 0;
     cost.fill_drain_cycles = counters.entries * (shape.entry_states + of_pipeline + shape.exit_states);
     return cost;
+}
+
+SourceSite ProcessTiming::site_at_hand(unsigned port) const {
+    if (in_loop())
+        return loop_sites_[state_.loop];
+    if (log_.exhausted())
+        return starving_site_;
+    std::uint64_t pending = 0;
+    for (std::size_t i = 0; i < log_.pending(); ++i)
+        pending += log_.begin()[i].kind() == Kind::step && Ports(log_.begin()[i].ports()).has(port) ? 1U : 0U;
+    return port_sites_[port].of(pending);
 }
 
 std::string ProcessTiming::position() const {

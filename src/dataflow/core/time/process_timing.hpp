@@ -8,6 +8,7 @@
 
 #include "dataflow/base/cycles.hpp"
 #include "dataflow/base/source_site.hpp"
+#include "dataflow/core/time/access_sites.hpp"
 #include "dataflow/core/time/bulk_runs.hpp"
 #include "dataflow/core/time/fifo_timing.hpp"
 #include "dataflow/core/time/operation_log.hpp"
@@ -231,7 +232,10 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     unsigned missing_port() const;
     /// The port whose next token the process itself waits for before it can say what it does next; -1: none.
     int starving_port() const { return starving_port_; }
-    void set_starving(int port) { starving_port_ = port; }
+    void set_starving(int port, SourceSite const& site = {}) {
+        starving_port_ = port;
+        starving_site_ = site;
+    }
     /// Of that port and others of the same step, whose tokens it has, but may not have read them: as missing_port().
     unsigned starved_port() const;
     void set_starving_with(Ports others) { starving_with_ = others; }
@@ -239,11 +243,11 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     std::string position() const;
     /// Where in the source a loop begins, and where a port is accessed outside loops.
     void note_loop_site(unsigned loop, SourceSite const& site) { loop_sites_[loop] = site; }
-    void note_site(unsigned port, SourceSite const& site) { port_sites_[port] = site; }
+    void note_site(unsigned port, SourceSite const& site) { port_sites_[port].note(site); }
     SourceSite const& loop_site(unsigned loop) const { return loop_sites_[loop]; }
-    SourceSite const& port_site(unsigned port) const { return port_sites_[port]; }
+    SourceSite port_site(unsigned port) const { return port_sites_[port].first(); }
     /// Of what the process is at, which waits for a port.
-    SourceSite site_at_hand(unsigned port) const { return in_loop() ? loop_sites_[state_.loop] : port_sites_[port]; }
+    SourceSite site_at_hand(unsigned port) const;
 
     /// Whether an attempt finds room, or a token, now. All that happens before has been told.
     bool found_at(unsigned port) const;
@@ -328,7 +332,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     bool is_taped_ = false;
     std::vector<OperationLog*> tapes_;
     std::vector<SourceSite> loop_sites_;
-    std::vector<SourceSite> port_sites_;
+    std::vector<AccessSites> port_sites_;
     MemoryStream* stream_ = nullptr;
     unsigned stream_port_ = 0;
     StepObserver* observer_ = nullptr;
@@ -349,6 +353,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     Ports front_ports_;  ///< accesses of the step at hand
     unsigned blocking_port_ = 0;
     int starving_port_ = -1;
+    SourceSite starving_site_;
     Ports starving_with_;
 };
 

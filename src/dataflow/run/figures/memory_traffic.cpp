@@ -17,15 +17,15 @@ std::uint64_t MemoryTraffic::bytes() const {
 
 double MemoryTraffic::gb_per_s(std::uint64_t moved, Cycles cycles) const {
     constexpr double per_picosecond = 1000;  // a byte per picosecond is so many GB/s
-    return per_picosecond * quotient(static_cast<double>(moved), static_cast<double>(cycles * period_ps));
+    return per_picosecond * quotient(static_cast<double>(moved), static_cast<double>(Picoseconds{cycles} * period_ps));
 }
 
 double MemoryTraffic::controller_utilisation(Cycles cycles) const {
-    return quotient(static_cast<double>(controller_busy_ps), static_cast<double>(cycles * period_ps));
+    return quotient(static_cast<double>(controller_busy_ps), static_cast<double>(Picoseconds{cycles} * period_ps));
 }
 
 Cycles MemoryTraffic::memory_alone() const {
-    Cycles alone = (controller_busy_ps + period_ps - 1) / period_ps;
+    auto alone = static_cast<Cycles>((controller_busy_ps + period_ps - 1) / period_ps);
     for (Cycles const beats : port_beats)
         alone = std::max(alone, beats);
     return alone;

@@ -1,6 +1,8 @@
 #include "dataflow/run/replay/collect_traffic.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dataflow::replay {
 
@@ -28,7 +30,8 @@ MemoryTraffic collect_traffic(timing::MemorySystem const& memory, Machine const&
     traffic.period_ps = shape.period_ps;
     traffic.port_bytes = shape.port_bytes;
     traffic.largest_queue = memory.controller().largest_queue;
-    traffic.controller_busy_ps = memory.controller().granules * shape.granule_ps;
+    traffic.controller_busy_ps = static_cast<std::uint64_t>(std::min<Picoseconds>(
+        Picoseconds{memory.controller().granules} * shape.granule_ps, std::numeric_limits<std::uint64_t>::max()));
     timing::ControllerHistory const& history = memory.controller().history;
     traffic.stretch_cycles = history.stretch_cycles();
     for (timing::ControllerHistory::Stretch const& stretch : history.stretches())

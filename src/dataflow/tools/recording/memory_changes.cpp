@@ -17,12 +17,14 @@ Cycles MemoryChanges::next_cycle() const {
 
 void MemoryChanges::take_up(timing::ServedBurst const& burst) {
     std::uint64_t const period = memory_.shape.period_ps;
+    auto const begun = static_cast<Cycles>(burst.begin_ps / period);
+    auto const served = static_cast<Cycles>((burst.end_ps + period - 1) / period);
     changes_.push({burst.asked, Kind::asked, &burst});
     changes_.push({burst.first_beat, Kind::first_beat, &burst});
     changes_.push({burst.end(), Kind::done, &burst});
     changes_.push({burst.arrived, Kind::arrived, &burst});
-    changes_.push({burst.begin_ps / period, Kind::begun, &burst});
-    changes_.push({std::max((burst.end_ps + period - 1) / period, burst.begin_ps / period), Kind::served, &burst});
+    changes_.push({begun, Kind::begun, &burst});
+    changes_.push({std::max(served, begun), Kind::served, &burst});
 }
 
 std::size_t MemoryChanges::go_on() {

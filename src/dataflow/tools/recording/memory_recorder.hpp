@@ -32,7 +32,7 @@ class MemoryRecorder {
     RecordedMemory const& recorded() const { return memory_; }
 
   private:
-    std::uint64_t ps_of(Cycles cycle) const { return cycle * memory_.shape.period_ps; }
+    Picoseconds ps_of(Cycles cycle) const { return Picoseconds{cycle} * memory_.shape.period_ps; }
 
     RecordedMemory memory_;
 };

@@ -149,7 +149,7 @@ Json ramb36(Primitives const& primitives) { return static_cast<double>(primitive
 Json cycles_or_null(Cycles cycles) { return cycles == Cut::deadlock ? Json() : Json(cycles); }
 
 Json depths(Choice const& choice, Machine const& machine) {
-    Json json;
+    Json json = Json::object();
     for (std::size_t const i : fifos_of(machine))
         json[machine.fifos[i].name] = choice[i].depth;
     return json;
@@ -157,7 +157,7 @@ Json depths(Choice const& choice, Machine const& machine) {
 
 /// An unbounded `auto` FIFO is a memory, however shallow.
 Json kinds(Choice const& choice, Machine const& machine) {
-    Json json;
+    Json json = Json::object();
     for (std::size_t const i : fifos_of(machine))
         json[machine.fifos[i].name] = choice_name(choice[i].kind);
     return json;

@@ -341,6 +341,21 @@ TEST_CASE("What an arbiter finds is not retimed if it might find something else,
 }
 
 /// With o = 4 bursts of 16 tokens under way, of R = 64 cycles: row "outstanding" of docs/memory-model.md, by hand.
+TEST_CASE("An external memory of a slow clock keeps time for more than seven months", "[examples]") {
+    // 3,000 samples of 6 million cycles of a millisecond: more picoseconds than 64 bits hold.
+    Example const memory("memory");
+    std::uint64_t const total =
+        memory.cycles({"accelerator.memory.model=axi", "accelerator.memory.request_cycles=1000000",
+                       "accelerator.clock_mhz=0.001", "workload.samples=3000"});
+    CHECK(total > 18'446'744'074U);
+    nlohmann::json const summary = nlohmann::json::parse(memory.text("out/summary.json"));
+    for (nlohmann::json const& master : summary.at("external_memory").at("masters")) {
+        CAPTURE(master.dump());
+        CHECK(master.at("latency_least") >= 1'000'000U);
+        CHECK(master.at("latency_most") <= 1'000'000U + 1000U);
+    }
+}
+
 TEST_CASE("The loader of a memory waits as the page of the memory says", "[examples]") {
     Example const example("memory");
     auto const cycles = [&example](std::uint64_t outstanding, std::string const& engine) {

@@ -91,6 +91,11 @@ TEST_CASE("Poses as BOP's results have them are in millimetres", "[poses]") {
     require_done(workspace.run({"--set", poses_key + "mm.csv", "--out", "mm"}));
     CHECK(workspace.text("m/poses.csv") == "sample,R,t_m\n0,1 0 0 0 0 -1 0 1 0,0.01 0.02 0.65\n");
     CHECK(workspace.text("mm/samples.csv") == workspace.text("m/samples.csv"));
+    workspace.folder().write("nameless.csv", "1,1,1,0.5,1 0 0 0 0 -1 0 1 0,+10 20 650,-1\n");
+    require_done(workspace.run({"--set", poses_key + "nameless.csv", "--out", "nameless"}));
+    CHECK(workspace.text("nameless/samples.csv") == workspace.text("m/samples.csv"));
+    workspace.folder().write("nameless.csv", "1,1,1,0.5,1 0 0 0 0 -1 0 1 0,10 20 5,-1\n");
+    check_bad_input(workspace.run({"--set", poses_key + "nameless.csv"}), {"nameless.csv:1: the pose has its origin"});
 }
 
 TEST_CASE("A mesh in millimetres is told, as are samples that draw nothing, and a scale helps", "[meshes]") {

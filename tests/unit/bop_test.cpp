@@ -171,6 +171,28 @@ TEST_CASE("A split, and a dataset without targets or camera file, are datasets",
                Catch::Contains("has no split test, expected --split with one of train"));
 }
 
+TEST_CASE("Of a link to a split, models and targets are those of the dataset that the split is in", "[bop]") {
+    BopFolder const folder;
+    TempFolder const elsewhere;
+    fs::create_directory_symlink(folder / "test", elsewhere / "linked");
+    CHECK(read_dataset(elsewhere / "linked").models.size() == 2);
+    fs::create_directory_symlink(folder / "models", elsewhere / "models");
+    fs::remove(folder / "test_targets_bop19.json");
+    elsewhere.write("test_targets_bop19.json", "[]");
+    CHECK(read_dataset(elsewhere / "linked").targets.size() == 8);  // its name is none of a test split
+    fs::rename(elsewhere / "linked", elsewhere / "test");
+    CHECK(read_dataset(elsewhere / "test").targets.empty());  // the models lie beside the link
+}
+
+TEST_CASE("A dataset without models names the folders that may be linked in their place", "[bop]") {
+    BopFolder const folder;
+    fs::rename(folder / "models", folder / "models_cad");
+    CHECK_THAT(complaint(folder), Catch::Contains("models: no such folder, expected one with models, or a link of that "
+                                                  "name to models_cad"));
+    fs::create_directory_symlink("models_cad", folder / "models");
+    CHECK(read_dataset(folder.path()).models.size() == 2);
+}
+
 TEST_CASE("Models are looked for in the folders asked for first", "[bop]") {
     BopFolder const folder;
     TempFolder const other;
@@ -229,7 +251,8 @@ TEST_CASE("What is wrong with a BOP folder is one line that says where", "[bop]"
     }
     SECTION("NaN") {
         folder.replace("test/000001/scene_gt.json", "\"cam_t_m2c\": [-60", "\"cam_t_m2c\": [NaN, -60");
-        CHECK_THAT(complaint(folder), Catch::Contains("scene_gt.json:2: is cut off or no JSON from here on"));
+        CHECK_THAT(complaint(folder),
+                   Catch::Contains("scene_gt.json:2: NaN, which is no JSON, expected scene_gt.json"));
     }
     SECTION("a misspelt key") {
         folder.replace("test/000002/scene_gt.json", "cam_R_m2c", "cam_R_mc");
@@ -318,6 +341,16 @@ TEST_CASE("A hidden object has no box, and is not to be seen", "[bop]") {
         CHECK_FALSE(objects[1].is_hidden());
         CHECK_FALSE(dataset.find({1, 3})->objects[0].visible_share);  // nothing is said of this image
     }
+    std::string const nothing = "[-1, -1, -1, -1]", some = "[1, 2, 3, 4]";
+    auto const is_hidden = [&](std::string const& boxes) {
+        folder.write("test/000001/scene_gt_info.json", R"({"0": [{)" + boxes + "}, {}]}");
+        return read_dataset(folder.path()).find({1, 0})->objects[0].is_hidden();
+    };
+    CHECK(is_hidden(R"("bbox_obj": )" + nothing));
+    CHECK(is_hidden(R"("bbox_visib": )" + nothing + R"(, "bbox_obj": )" + some));
+    CHECK_FALSE(is_hidden(R"("bbox_visib": )" + nothing + R"(, "visib_fract": 0.5)"));
+    CHECK_FALSE(is_hidden(R"("bbox_visib": )" + some));
+    CHECK_FALSE(is_hidden(""));
 }
 
 /// A rotation about x whose first column is longer by as much as makes R^T R differ from the identity by `off`.
@@ -526,6 +559,9 @@ TEST_CASE("Results without a first line of names have BOP's columns", "[bop]") {
     CHECK(read.estimates[0].obj_id == 5);
     CHECK(read.estimates[0].pose.translation.z() == 0.003);
     CHECK(read.warnings.empty());
+    auto const signs = read_results(folder.write("s.csv", "+48,+1,5,+0.25,+1 0 0 0 1 0 0 0 1,1 +2 3,+1.5\n"));
+    CHECK(signs.estimates.at(0).image.scene_id == 48);
+    CHECK(signs.estimates.at(0).pose.translation.y() == 0.002);
 }
 
 TEST_CASE("Rows of results are mended, refused for those who ask, and compared in time", "[bop]") {
@@ -574,6 +610,9 @@ TEST_CASE("A score that is no confidence from 0 to 1 is refused, one that is mis
     auto const flat = detections_of(folder.write("f.json", R"([{"scene_id": 1, "image_id": 2, "category_id": 3,
         "bbox": [5, 5, 0, 9], "score": 0.5}])"));
     CHECK_THAT(input_error_text([&] { sound(flat[0]); }), Catch::Contains("expected a box of something seen"));
+    CHECK(detections_of(folder.write("n.json", R"([{"scene_id": 1, "image_id": 2, "category_id": 0,
+        "bbox": [5, 5, 9, 9], "score": 0.5}])"))
+              .size() == 1);  // of nothing that the dataset has
 }
 
 TEST_CASE("Results that are written are read back", "[bop]") {

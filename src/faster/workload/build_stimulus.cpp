@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "dataflow/base/files/csv_cells.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/object_mesh.hpp"
@@ -56,7 +57,8 @@ DepthImage observed_scene(WorkloadConfig const& config, Mesh const& target_mesh,
 /// Pixel coordinate of a projection, as an integer; `place` says whose it is.
 std::int32_t centre_pixel(double pixel, std::string const& place) {
     double const floored = std::floor(pixel);
-    if (!(std::abs(floored) <= std::numeric_limits<std::int32_t>::max())) {
+    using Limits = std::numeric_limits<std::int32_t>;
+    if (!(floored >= Limits::min() && floored <= Limits::max())) {
         throw InputError(fmt::format("{} has its origin at pixel {}, expected one that fits 32 bits", place, pixel));
     }
     return static_cast<std::int32_t>(floored);
@@ -69,19 +71,24 @@ void require_in_front(double origin_z_m, std::string const& place, std::string c
     }
 }
 
-/// Of a pose that was drawn, or of the row of a table, whose header is line 1.
-std::string place_of(std::size_t index, std::string const& table) {
-    return table.empty() ? fmt::format("workload.samples: sample {}", index)
-                         : fmt::format("{}:{}: the pose", table, index + 2);
-}
+/// Poses that were drawn, or those of a table.
+struct PoseSource {
+    std::string table;
+    std::size_t first_line;  ///< of its rows
+
+    std::string place(std::size_t index) const {
+        return table.empty() ? fmt::format("workload.samples: sample {}", index)
+                             : fmt::format("{}:{}: the pose", table, index + first_line);
+    }
+};
 
 SampleInput sample_input(Pose const& pose, Camera const& camera, std::size_t index, std::size_t triangles,
-                         std::string const& table) {
-    std::string const place = place_of(index, table);
+                         PoseSource const& source) {
+    std::string const place = source.place(index);
     Eigen::Vector3d const& origin = pose.translation;
-    std::string const hint = table.empty()    ? " (reduce workload.samples.translation_sigma_m)"
-                             : origin.z() < 0 ? " (the camera looks along z)"
-                                              : " (t_m is in metres, t in millimetres)";
+    std::string const hint = source.table.empty() ? " (reduce workload.samples.translation_sigma_m)"
+                             : origin.z() < 0     ? " (the camera looks along z)"
+                                                  : " (t_m is in metres, t in millimetres)";
     require_in_front(origin.z(), place, hint);
     SampleInput sample;
     sample.centre_row = centre_pixel(camera.fy * origin.y() / origin.z() + camera.cy, place);
@@ -115,10 +122,11 @@ Stimulus build_observation(WorkloadConfig const& config, int window, FractionBit
 }
 
 void set_poses(std::vector<Pose> poses, Stimulus& stimulus, std::string const& table) {
+    PoseSource const source{table, !table.empty() && io::is_row_first(table) ? 1U : 2U};
     stimulus.samples.clear();
     for (std::size_t index = 0; index < poses.size(); ++index) {
         stimulus.samples.push_back(
-            sample_input(poses[index], stimulus.posed.camera, index, stimulus.posed.mesh.faces.size(), table));
+            sample_input(poses[index], stimulus.posed.camera, index, stimulus.posed.mesh.faces.size(), source));
     }
     stimulus.posed.poses = std::move(poses);
 }

@@ -16,7 +16,7 @@ class DetectionReader {
     Detection read(JsonNode const& node) {
         Detection detection;
         detection.image = {node.at("scene_id").integer(0), node.at("image_id").integer(0)};
-        detection.obj_id = node.at("category_id").integer(1);
+        detection.obj_id = node.at("category_id").integer(0);
         try {
             read_rest(node, detection);
         } catch (InputError const& error) {

@@ -15,10 +15,6 @@ namespace faster::bop {
 namespace {
 
 enum Column { scene_id, im_id, obj_id, score, rotation, translation, time };
-std::vector<std::string> const& columns() {
-    static std::vector<std::string> const names{"scene_id", "im_id", "obj_id", "score", "R", "t", "time"};
-    return names;
-}
 
 PoseEstimate read_estimate(files::TableRow const& row, MendedRotations& mended) {
     PoseEstimate estimate;
@@ -61,8 +57,9 @@ void tell_of_times(std::filesystem::path const& path, std::vector<PoseEstimate> 
 std::vector<PoseEstimate> read_pose_results(std::filesystem::path const& path, std::vector<std::string>& warnings) {
     std::vector<PoseEstimate> estimates;
     MendedRotations mended;
-    io::read_csv_cells_of(path, columns(), [&](std::size_t line, std::string_view const* cells) {
-        estimates.push_back(read_estimate(files::TableRow(path, columns(), line, cells), mended));
+    std::vector<std::string> const& columns = files::columns_of_results();
+    io::read_csv_cells_of(path, columns, columns, [&](std::size_t line, std::string_view const* cells) {
+        estimates.push_back(read_estimate(files::TableRow(path, columns, line, cells), mended));
         estimates.back().line = line;
     });
     mended.tell(path.string(), warnings);
@@ -71,7 +68,7 @@ std::vector<PoseEstimate> read_pose_results(std::filesystem::path const& path, s
 }
 
 std::string pose_results_csv(std::vector<PoseEstimate> const& estimates) {
-    std::string text = fmt::format("{}\n", fmt::join(columns(), ","));
+    std::string text = fmt::format("{}\n", fmt::join(files::columns_of_results(), ","));
     for (PoseEstimate const& estimate : estimates)
         text += csv_row(estimate);
     return text;

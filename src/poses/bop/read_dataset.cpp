@@ -36,6 +36,12 @@ fs::path plain(fs::path const& folder) {
 fs::path parent_of(fs::path const& folder) { return plain(folder).parent_path(); }
 std::string name_of(fs::path const& folder) { return plain(folder).filename().string(); }
 
+/// The dataset that a split belongs to: of a link to a split, where that is, unless the models lie beside the link.
+fs::path folder_of_split(fs::path const& split) {
+    fs::path const beside = parent_of(split);
+    return fs::exists(beside / "models") ? beside : fs::canonical(split).parent_path();
+}
+
 std::set<fs::path> folders_in(fs::path const& folder) {
     std::set<fs::path> folders;
     for (auto const& entry : fs::directory_iterator(folder)) {
@@ -75,8 +81,9 @@ fs::path split_of(fs::path const& folder, std::string const& wanted) {
         io::fail(folder, "holds no scenes, expected a dataset of BOP (SPLIT/NNNNNN/scene_camera.json), or frames.json");
     std::string const name = wanted.empty() && splits.size() == 1 ? splits.front() : wanted.empty() ? "test" : wanted;
     if (std::find(splits.begin(), splits.end(), name) == splits.end())
-        io::fail(folder,
-                 fmt::format("has no split {}, expected --split with one of {}", name, fmt::join(splits, ", ")));
+        io::fail(folder, fmt::format("has no split {}, expected {} {}", name,
+                                     wanted.empty() ? "a split's folder instead, one of" : "--split with one of",
+                                     fmt::join(splits, ", ")));
     return folder / name;
 }
 
@@ -208,7 +215,7 @@ void tell_of_translations(Dataset& dataset, fs::path const& split) {
 
 Dataset read_bop(fs::path const& folder, DatasetOptions const& options) {
     fs::path const split = split_of(folder, options.split);
-    fs::path const root = split == folder ? parent_of(folder) : folder;
+    fs::path const root = split == folder ? folder_of_split(folder) : folder;
     Dataset dataset;
     dataset.folder = folder;
     dataset.models = models_of(options, bop_models(root, options.to_judge), dataset.warnings);

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <set>
 
 #include "dataflow/base/files/file_error.hpp"
@@ -30,9 +31,21 @@ std::optional<int> numbered_object(std::string const& stem) {
     return result.ec == std::errc{} && result.ptr == end && id > 0 ? std::optional(id) : std::nullopt;
 }
 
+/// As T-LESS has only models_cad and models_eval.
+[[noreturn]] void fail_without(fs::path const& folder) {
+    std::set<std::string> others;
+    if (fs::is_directory(folder.parent_path()))
+        for (auto const& entry : fs::directory_iterator(folder.parent_path()))
+            if (entry.path().filename().string().rfind("models_", 0) == 0)
+                others.insert(entry.path().filename().string());
+    io::fail(folder,
+             "no such folder, expected one with models" +
+                 (others.empty() ? "" : fmt::format(", or a link of that name to {}", fmt::join(others, " or "))));
+}
+
 std::set<fs::path> meshes_in(fs::path const& folder) {
     if (!fs::is_directory(folder))
-        io::fail(folder, "no such folder, expected one with models");
+        fail_without(folder);
     std::set<fs::path> meshes;
     for (auto const& entry : fs::directory_iterator(folder)) {
         if (files::has_mesh_extension(entry.path()))

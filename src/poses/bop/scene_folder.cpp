@@ -91,14 +91,17 @@ void read_objects(fs::path const& file, int scene_id, Images& images, MendedRota
     }
 }
 
-/// Of what is not to be seen bop_toolkit writes boxes of four times -1.
+/// Of what is not to be seen bop_toolkit writes boxes of four times -1; without a share they tell that it is hidden.
 void read_object_info(JsonNode const& node, GroundTruth& object) {
+    bool is_seen = true;
     if (auto const box = node.find("bbox_obj"))
-        object.box = read_box(*box);
+        is_seen = (object.box = read_box(*box)).has_value();
     if (auto const box = node.find("bbox_visib"))
-        object.visible_box = read_box(*box);
+        is_seen = (object.visible_box = read_box(*box)).has_value();
     if (auto const share = node.find("visib_fract"))
         object.visible_share = std::max(0.0, share->number());
+    else if (!is_seen)
+        object.visible_share = 0;
     if (object.visible_share.value_or(0) > 1)
         node.at("visib_fract").fail("a share of the object, at most 1");
 }

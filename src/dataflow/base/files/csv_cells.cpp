@@ -29,6 +29,11 @@ std::string_view without_byte_order_mark(std::string_view text) {
     return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
 }
 
+bool begins_with_number(std::string_view text) {
+    std::string_view const digits = text.substr(text.substr(0, 1) == "+" ? 1 : 0);
+    return !digits.empty() && digits.front() >= '0' && digits.front() <= '9';
+}
+
 std::size_t cell_count(std::string_view line) {
     return trimmed(line).empty() ? 0 : static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
 }
@@ -56,9 +61,9 @@ class Table {
         read_rows(text, read_row);
     }
 
-    void read_without_header(std::string_view text, CsvCellReader const& read_row) {
+    void read_below(std::vector<std::string> const& header, std::string_view text, CsvCellReader const& read_row) {
         text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
-        read_header(fmt::format("{}", fmt::join(columns_, ",")));
+        read_header(fmt::format("{}", fmt::join(header, ",")));
         read_rows(text, read_row);
     }
 
@@ -124,15 +129,18 @@ void read_csv_cells(std::filesystem::path const& path, std::vector<std::string> 
     Table(path, columns).read(text, read_row);
 }
 
-void read_csv_cells_of(std::filesystem::path const& path, std::vector<std::string> const& columns,
-                       CsvCellReader const& read_row) {
+void read_csv_cells_of(std::filesystem::path const& path, std::vector<std::string> const& header,
+                       std::vector<std::string> const& columns, CsvCellReader const& read_row) {
     std::string const text = read_file(path);
     std::string_view const content = without_byte_order_mark(text);
-    bool const has_row_first = !content.empty() && content.front() >= '0' && content.front() <= '9';
-    if (has_row_first)
-        Table(path, columns).read_without_header(content, read_row);
+    if (begins_with_number(content))
+        Table(path, columns).read_below(header, content, read_row);
     else
         Table(path, columns).read(content, read_row);
+}
+
+bool is_row_first(std::filesystem::path const& path) {
+    return begins_with_number(without_byte_order_mark(read_file(path)));
 }
 
 bool has_csv_column(std::filesystem::path const& path, std::string const& column) {

@@ -19,10 +19,13 @@ using CsvCellReader = std::function<void(std::size_t line, std::string_view cons
 void read_csv_cells(std::filesystem::path const& path, std::vector<std::string> const& columns,
                     CsvCellReader const& read_row);
 
-/// Reads a table whose first line may be missing, as above: if it begins with a digit it is a row, and the columns of
-/// the table are those that are asked for, in that order.
-void read_csv_cells_of(std::filesystem::path const& path, std::vector<std::string> const& columns,
-                       CsvCellReader const& read_row);
+/// Reads a table whose first line may be missing, as above: if is_row_first(), the columns of the table are those of
+/// `header`, in that order.
+void read_csv_cells_of(std::filesystem::path const& path, std::vector<std::string> const& header,
+                       std::vector<std::string> const& columns, CsvCellReader const& read_row);
+
+/// Whether a table begins with a number, so that its first line is a row.
+bool is_row_first(std::filesystem::path const& path);
 
 /// Whether the first line of a table names that column.
 bool has_csv_column(std::filesystem::path const& path, std::string const& column);

@@ -38,6 +38,15 @@ std::size_t first_too_deep(std::string_view text) {
     return 0;
 }
 
+/// The word that parsing stopped in, if Python writes it and JSON does not know it; else nothing.
+std::string_view number_of_python(std::string_view text, std::size_t byte) {
+    std::string_view const rest = text.substr(std::min(byte - std::min<std::size_t>(byte, 1), text.size()));
+    for (std::string_view const word : {"NaN", "Infinity"})
+        if (rest.substr(0, word.size()) == word)
+            return word;
+    return {};
+}
+
 }  // namespace
 
 Json parse_json(std::string_view text) {
@@ -52,8 +61,10 @@ Json read_json_file(std::filesystem::path const& path, std::string const& expect
         return parse_json(text);
     } catch (Json::parse_error const& error) {
         auto const end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        throw InputError(fmt::format("{}:{}: is cut off or no JSON from here on, expected {}", path.string(),
-                                     std::count(text.begin(), end, '\n') + 1, expected));
+        std::string_view const word = number_of_python(text, error.byte);
+        throw InputError(fmt::format(
+            "{}:{}: {}, expected {}", path.string(), std::count(text.begin(), end, '\n') + 1,
+            word.empty() ? "is cut off or no JSON from here on" : fmt::format("{}, which is no JSON", word), expected));
     } catch (Json::exception const&) {  // no other is documented, and it is what a number like 1e999 gives
         throw InputError(fmt::format("{}: holds a number beyond all limits, expected {}", path.string(), expected));
     }

@@ -1,22 +1,23 @@
 #include "faster/workload/files/table_row.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <optional>
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/printable.hpp"
 #include "faster/dataflow_names.hpp"
+#include "faster/workload/files/mesh_text.hpp"
 #include "faster/workload/files/pose_numbers.hpp"
 
 namespace faster::files {
 namespace {
 
-template <class Number> bool parse(std::string_view text, Number& number) {
-    char const* const end = text.data() + text.size();
-    auto const result = std::from_chars(text.data(), end, number);
-    return result.ec == std::errc{} && result.ptr == end && std::isfinite(static_cast<double>(number));
+std::optional<double> finite_number_in(std::string_view text) {
+    auto const number = number_in(text);
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 /// Takes a word off the front of `rest`, and the blanks behind it.
@@ -29,26 +30,32 @@ std::string_view take_word(std::string_view& rest) {
 
 }  // namespace
 
+std::vector<std::string> const& columns_of_results() {
+    static std::vector<std::string> const names{"scene_id", "im_id", "obj_id", "score", "R", "t", "time"};
+    return names;
+}
+
 int TableRow::id(std::size_t column) const {
-    int value = 0;
-    if (!parse(cells_[column], value) || value < 0)
+    auto const value = integer_in(cells_[column]);
+    if (!value || *value < 0 || *value > std::numeric_limits<int>::max())
         fail(column, "an integer from 0");
-    return value;
+    return static_cast<int>(*value);
 }
 
 double TableRow::number(std::size_t column) const {
-    double value = 0;
-    if (!parse(cells_[column], value))
+    auto const value = finite_number_in(cells_[column]);
+    if (!value)
         fail(column, "a finite number");
-    return value;
+    return *value;
 }
 
 std::vector<double> TableRow::numbers(std::size_t column, std::size_t count) const {
     std::vector<double> values;
     for (std::string_view rest = cells_[column]; !rest.empty();) {
-        values.emplace_back();
-        if (!parse(take_word(rest), values.back()))
+        auto const value = finite_number_in(take_word(rest));
+        if (!value)
             fail(column, fmt::format("{} finite numbers parted by blanks", count));
+        values.push_back(*value);
     }
     if (values.size() != count)
         fail(column, fmt::format("{} numbers parted by blanks, not {}", count, values.size()));

@@ -9,6 +9,9 @@
 
 namespace faster::files {
 
+/// Columns of a file of results of BOP, in which the line of names may be missing.
+std::vector<std::string> const& columns_of_results();
+
 /// One row of a table with poses in it, as read_csv_cells() gives it, and how to complain about it. Columns are numbers
 /// of those that were asked for. Everything throws InputError (file:line: column ... = ..., expected ...).
 class TableRow {

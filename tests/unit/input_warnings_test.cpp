@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "faster/workload/models/builtin_models.hpp"
+#include "faster/workload/object_mesh.hpp"
 
 namespace input_warnings_test {
 
@@ -143,16 +144,49 @@ TEST_CASE("Poses in millimetres are told with their table or key") {
     near.translation = Eigen::Vector3d(0, 0, 0.7);
     far.translation = Eigen::Vector3d(0, 0, 700);
     Mesh const mug = models::make("mug");
-    CHECK(input_warnings(config, mug, {near, near, far}).empty());
-    Warnings warnings = input_warnings(config, mug, {far, far, near});
+    CHECK(input_warnings(config, mug, {near, near, far}, {}).empty());
+    Warnings warnings = input_warnings(config, mug, {far, far, near}, {});
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0] ==
           "workload.pose.translation_m: 2 of 3 poses are further than 10 m away, the first 700 m; expected "
           "metres");
     config.samples.poses = "p.csv";
-    warnings = input_warnings(config, mug, {far});
+    warnings = input_warnings(config, mug, {far}, {});
     REQUIRE(warnings.size() == 1);
     CHECK_THAT(warnings[0], Contains("p.csv: 1 of 1 poses") && Contains("metres in t_m and millimetres in t"));
+}
+
+TEST_CASE("Triangles whose z has no code are told with the key, far poses with how far they are") {
+    WorkloadConfig config;
+    Mesh const mug = models::make("mug");
+    Pose pose;
+    pose.translation = Eigen::Vector3d(0, 0, 1.5);
+    FractionBits fraction;
+    for (int const bits : {14, 15, 16}) {
+        fraction.vertex_z = bits;
+        Warnings const warnings = input_warnings(config, mug, {pose}, fraction);
+        REQUIRE(warnings.size() == (bits == 16 ? 1U : 0U));
+        if (bits == 16)
+            CHECK_THAT(warnings[0], Contains("accelerator.fraction_bits.vertex_z = 16: triangles that reach beyond 1 m "
+                                             "are dropped, as of 1 of 1 poses; expected at most 14"));
+    }
+    pose.translation.z() = 2.1;
+    fraction.vertex_z = 15;
+    CHECK_THAT(input_warnings(config, mug, {pose}, fraction).at(0), Contains("beyond 2 m"));
+    pose.translation = Eigen::Vector3d(1e308, 0, 1e308);
+    CHECK_THAT(input_warnings(config, mug, {pose}, {}).at(0), Contains("the first 1.414e+308 m"));
+}
+
+TEST_CASE("A mesh of just 5 mm is none of less, whatever single precision makes of its ends") {
+    Mesh const mug = models::make("mug");
+    auto const of_length = [&](double side_m) {
+        Mesh mesh = times(mug, side_m / longest_side_m(mug));
+        for (Eigen::Vector3d& vertex : mesh.vertices)
+            vertex = vertex.cast<float>().cast<double>();
+        return mesh_warnings(mesh, "m.ply").size();
+    };
+    CHECK(of_length(0.005 * (1 - 1e-7)) == 0);
+    CHECK(of_length(0.004999) == 1);
 }
 
 }  // namespace input_warnings_test

@@ -130,7 +130,7 @@ TEST_CASE("A PLY file that ends early is an input error, in text and in binary",
     TempFolder const folder;
     std::string const vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
     CHECK_THAT(load_error(folder.write("t.ply", ascii_ply(vertices, "3 0 1 2\n"))),
-               Catch::EndsWith("t.ply:15: the file ends early, expected more values"));
+               Catch::EndsWith("t.ply:15: the file ends early, expected more rows, each on a line of its own"));
 
     std::string binary = ascii_ply("", "");
     binary.replace(binary.find("ascii"), 5, "binary_big_endian");

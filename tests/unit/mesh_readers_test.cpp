@@ -105,9 +105,12 @@ TEST_CASE("Numbers are read in every notation, and nothing else is taken for one
 }
 
 TEST_CASE("Surfaces that are not read are told, not left out", "[mesh_readers]") {
-    for (char const* const statement : {"surf 0 1 0 1 1 2 3 4", "call b.obj", "bsp 1 2 3", "cdp 1 2"})
+    for (char const* const statement : {"surf 0 1 0 1 1 2 3 4", "bsp 1 2 3", "cdp 1 2"})
         CHECK_THAT(error("a.obj", wedge + wedge_faces + statement + "\n"),
-                   Contains("a.obj:12: " + std::string(statement).substr(0, 3)) && Contains("expected polygons"));
+                   Contains("a.obj:12: " + std::string(statement).substr(0, 3)) &&
+                       Contains("a surface that is not read, expected polygons"));
+    CHECK_THAT(error("a.obj", wedge + wedge_faces + "call b.obj\n"),
+               Contains("a.obj:12: call: what it includes is not read"));
     CHECK_THAT(error("a.ply",
                      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
                      "z\nelement trifans 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0\n"),

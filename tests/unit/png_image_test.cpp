@@ -82,6 +82,11 @@ bool are_equal(cv::Mat const& one, cv::Mat const& other) {
     return one.size() == other.size() && one.type() == other.type() && cv::norm(one, other, cv::NORM_INF) == 0;
 }
 
+std::filesystem::path write_of_one_pixel(TempFolder const& folder) {
+    write_png(folder / "one.png", Image<std::uint16_t>(1, 1));
+    return folder / "one.png";
+}
+
 TEST_CASE("Another library reads the images that we write, and we read its", "[png_image]") {
     TempFolder const folder;
     for (int const height : {1, 2, 7, 48})
@@ -169,6 +174,21 @@ TEST_CASE("An image with colours is an input error, even if all of them are grey
                Catch::Contains("is an 8-bit RGB PNG"));
     CHECK_THAT(input_error_text([&] { read_png16(write_with_opencv(folder, CV_16UC4)); }),
                Catch::Contains("is a 16-bit RGB with alpha PNG"));
+}
+
+TEST_CASE("A PNG without pixels, or with too many a side, is an input error that says how many are read",
+          "[png_image]") {
+    TempFolder const folder;
+    std::string const whole = content_of(write_of_one_pixel(folder));
+    for (auto const& [width, bytes] :
+         {std::pair("20000", std::string("\0\0\x4e\x20", 4)), {"0", std::string(4, '\0')}}) {
+        std::string file = whole;
+        file.replace(16, 4, bytes);
+        file.replace(29, 4, checksum_of(file.substr(12, 17)));
+        CHECK_THAT(input_error_text([&] { read_png16(folder.write("b.png", file)); }),
+                   Catch::EndsWith(std::string("has ") + width +
+                                   " x 1 pixels (1 to 16384 a side are read), expected a 16-bit greyscale PNG"));
+    }
 }
 
 TEST_CASE("A file that is not a PNG is an input error", "[png_image]") {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -233,7 +234,8 @@ TEST_CASE("An object is a built-in class or a mesh file", "[object_mesh]") {
     auto const path = folder.write("t.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     CHECK(object_mesh(path.string(), "workload.object").faces.size() == 1);
     CHECK(input_error_text([] { object_mesh("bananna", "workload.object"); }) ==
-          "workload.object = bananna, expected a built-in class or a mesh file, did you mean banana?");
+          "workload.object = bananna, expected a built-in class or a mesh file (.obj, .ply, .stl, .off), did you mean "
+          "banana?");
     CHECK_THAT(input_error_text([] { object_mesh("none.obj", "workload.object"); }),
                Catch::StartsWith("none.obj: no such file"));
     CHECK_THAT(input_error_text([] { object_mesh("a/banana", "workload.object"); }),
@@ -373,6 +375,13 @@ TEST_CASE("An object whose origin is too near is an input error that names key o
                                         Catch::EndsWith("(reduce workload.samples.translation_sigma_m)"));
     config.target.translation_m = {1e12, 0, 0.5};
     CHECK_THAT(build_error(config), Catch::Contains("sample 0 has its origin at pixel"));
+    config = small_workload();
+    config.samples = {1, 0, 0, 1, {}};
+    config.target.translation_m = {0, 0, 0.5};
+    config.camera.cx = -2147483648.0;
+    CHECK(build_stimulus(config, 40, {}).samples.at(0).centre_col == std::numeric_limits<std::int32_t>::min());
+    config.camera.cx -= 1;
+    CHECK_THAT(build_error(config), Catch::Contains("at pixel -2147483649, expected one that fits 32 bits"));
 }
 
 /// The median of |measured - rendered| [m] over the pixels that have both.

@@ -1,11 +1,14 @@
 #include "faster/workload/files/tiff_image.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <map>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <random>
 #include <string>
+#include <tiffio.h>
 #include <vector>
 
 #include "faster/dataflow_names.hpp"
@@ -116,6 +119,22 @@ TEST_CASE("TIFF files packed as others write them are read") {
     }
 }
 
+TEST_CASE("A TIFF file of 64-bit offsets is read") {
+    TempFolder const folder;
+    std::string const file = (folder / "d.tif").string();
+    std::unique_ptr<TIFF, void (*)(TIFF*)> tiff(TIFFOpen(file.c_str(), "w8"), TIFFClose);
+    for (auto const& [tag, value] : {std::pair(TIFFTAG_IMAGEWIDTH, 2),
+                                     {TIFFTAG_IMAGELENGTH, 1},
+                                     {TIFFTAG_BITSPERSAMPLE, 16},
+                                     {TIFFTAG_SAMPLESPERPIXEL, 1},
+                                     {TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK}})
+        TIFFSetField(tiff.get(), static_cast<std::uint32_t>(tag), value);
+    std::array<std::uint16_t, 2> row{7, 65535};
+    REQUIRE(TIFFWriteScanline(tiff.get(), row.data(), 0) == 1);
+    tiff.reset();
+    CHECK(read_depth_counts(file).pixels() == std::vector<std::uint16_t>{7, 65535});
+}
+
 TEST_CASE("A TIFF file that is no depth image is refused, with what it is") {
     CHECK_THAT(complaint_about(tiff_of({{bits, 8}})),
                Catch::Contains("has 1 x 8-bit numbers, expected 16-bit greyscale"));
@@ -127,7 +146,7 @@ TEST_CASE("A TIFF file that is no depth image is refused, with what it is") {
     CHECK_THAT(complaint_about(tiff_of({{tile_width, 16}, {tile_height, 16}, {tile_offsets, 8}, {tile_bytes, 512}})),
                Catch::Contains("is made of tiles"));
     CHECK_THAT(complaint_about(tiff_of({{orientation, 3}})), Catch::Contains("is turned"));
-    CHECK_THAT(complaint_about(tiff_of({{width, 20000}})), Catch::Contains("has 20000 x 2 pixels"));
+    CHECK_THAT(complaint_about(tiff_of({{width, 20000}})), Catch::Contains("has 20000 x 2 pixels (1 to 16384 a side"));
     CHECK_THAT(complaint_about(tiff_of({{width, 4000000000U}})), Catch::Contains("expected 16-bit greyscale TIFF"));
     CHECK_THAT(complaint_about(tiff_of({{height, 2000}})), Catch::Contains("cut off or damaged"));
     CHECK_THAT(complaint_about(tiff_of({{rows_per_strip, 0}})), Catch::Contains("expected 16-bit greyscale TIFF"));

@@ -1,7 +1,9 @@
 #include "faster/config/faster_complaints.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "dataflow/run/config/config_sources.hpp"
 #include "dataflow/run/config/external_memory_keys.hpp"
@@ -128,8 +130,8 @@ void check_observation_copies(LoadedConfig const& loaded, std::vector<std::strin
 }
 
 /// Eq. 2.4: the coefficients add up to 1. Decimal fractions hardly do so exactly.
-void check_weights(LoadedConfig const& loaded, char const* backend, WeightCoefficients const& weights,
-                   std::vector<std::string>& complaints) {
+void check_weights(LoadedConfig const& loaded, char const* backend, std::vector<std::string> const& names,
+                   WeightCoefficients const& weights, std::vector<std::string>& complaints) {
     constexpr double tolerance = 1e-9;
     if (estimator_of(loaded.config).in_box == InBoxTerm::none && weights.in_box == 1)
         complaints.push_back(complaint(loaded, fmt::format("estimator.weights.{}.in_box", backend),
@@ -137,10 +139,12 @@ void check_weights(LoadedConfig const& loaded, char const* backend, WeightCoeffi
     double const sum = weights.box + weights.in_box + weights.raw + weights.edge + weights.planar;
     if (std::abs(sum - 1) <= tolerance)
         return;
-    std::string const key = fmt::format("estimator.weights.{}.raw", backend);
-    complaints.push_back(
-        complaint(loaded, key,
-                  fmt::format("coefficients of estimator.weights.{} that add up to 1, not to {:.6g}", backend, sum)));
+    std::string const section = fmt::format("estimator.weights.{}", backend);
+    auto const is_given = [&](std::string const& name) { return loaded.origins.is_explicit(section + "." + name); };
+    auto const given = std::find_if(names.begin(), names.end(), is_given);
+    complaints.push_back(complaint(
+        loaded, section + "." + (given == names.end() ? names.front() : *given),
+        fmt::format("coefficients {} of {} that add up to 1, not to {:.10g}", fmt::join(names, ", "), section, sum)));
 }
 
 }  // namespace
@@ -160,8 +164,8 @@ std::vector<std::string> faster_complaints(LoadedConfig const& loaded) {
     for (std::string const& complaint : external_memory_complaints(loaded))
         complaints.push_back(complaint);
     EstimatorConfig const& estimator = estimator_of(loaded.config);
-    check_weights(loaded, "accelerator", estimator.accelerator_weights, complaints);
-    check_weights(loaded, "grip", estimator.grip_weights, complaints);
+    check_weights(loaded, "accelerator", {"box", "in_box", "raw", "edge"}, estimator.accelerator_weights, complaints);
+    check_weights(loaded, "grip", {"box", "in_box", "raw", "edge", "planar"}, estimator.grip_weights, complaints);
     return complaints;
 }
 

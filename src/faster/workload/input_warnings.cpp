@@ -85,8 +85,28 @@ std::string far_poses_warning(WorkloadConfig const& config, std::vector<Pose> co
     bool const is_table = !config.samples.poses.empty();
     return fmt::format("{}: {} of {} poses are further than {} m away, the first {:.4g} m; expected {}",
                        is_table ? config.samples.poses : "workload.pose.translation_m", count, poses.size(), furthest_m,
-                       first->translation.norm(),
+                       first->translation.stableNorm(),
                        is_table ? "metres in t_m and millimetres in t (workload.samples.poses)" : "metres");
+}
+
+/// A triangle is dropped if the code of a vertex' z does not fit 16 bits (docs/function.md#vertex-transform).
+std::string lost_triangles_warning(Mesh const& mesh, std::vector<Pose> const& poses, FractionBits const& fraction) {
+    constexpr double furthest_m = 3.99;
+    constexpr int enough_bits = 14;
+    double const reach_m = std::ldexp(1.0, 16 - fraction.vertex_z);
+    auto const loses = [&](Pose const& pose) {
+        return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](Eigen::Vector3d const& vertex) {
+            double const z = pose.rotation.row(2).dot(vertex) + pose.translation.z();
+            return z >= reach_m && z <= furthest_m;
+        });
+    };
+    auto const count = reach_m > furthest_m ? 0 : std::count_if(poses.begin(), poses.end(), loses);
+    if (count == 0)
+        return {};
+    return fmt::format(
+        "accelerator.fraction_bits.vertex_z = {}: triangles that reach beyond {} m are dropped, as of {} of {} poses; "
+        "expected at most {}, with which none are",
+        fraction.vertex_z, reach_m, count, poses.size(), enough_bits);
 }
 
 double middle_of(std::vector<double>& values) {
@@ -200,14 +220,14 @@ std::string depth_pose_warning(DepthImage const& depth, Camera const& camera, Me
         file, middle_of(sight.readings_m), poses[0].translation.z(), unit_key);
 }
 
-std::vector<std::string> input_warnings(WorkloadConfig const& config, Mesh const& mesh,
-                                        std::vector<Pose> const& poses) {
+std::vector<std::string> input_warnings(WorkloadConfig const& config, Mesh const& mesh, std::vector<Pose> const& poses,
+                                        FractionBits const& fraction) {
     std::vector<std::string> warnings;
     auto const add = [&](std::vector<std::string> more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
     if (is_mesh_file(config.target.object))
         add(mesh_warnings(mesh, config.target.object));
     add(camera_warnings(config.camera));
-    add({far_poses_warning(config, poses)});
+    add({far_poses_warning(config, poses), lost_triangles_warning(mesh, poses, fraction)});
     add(depth_warnings(config.scene, config.camera, mesh, poses));
     return without_empty(std::move(warnings));
 }

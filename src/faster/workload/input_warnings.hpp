@@ -4,6 +4,7 @@
 
 #include "faster/config/workload_config.hpp"
 #include "faster/data/camera.hpp"
+#include "faster/data/fixed_point.hpp"
 #include "faster/data/mesh.hpp"
 #include "faster/workload/depth_image.hpp"
 
@@ -28,6 +29,7 @@ std::string depth_pose_warning(DepthImage const& depth, Camera const& camera, Me
                                std::vector<Pose> const& poses, std::string const& file, std::string const& unit_key);
 
 /// All of a workload that is no trace, whose object is `mesh`, to be seen under `poses`. Reads its depth image.
-std::vector<std::string> input_warnings(WorkloadConfig const& config, Mesh const& mesh, std::vector<Pose> const& poses);
+std::vector<std::string> input_warnings(WorkloadConfig const& config, Mesh const& mesh, std::vector<Pose> const& poses,
+                                        FractionBits const& fraction);
 
 }  // namespace faster::workload

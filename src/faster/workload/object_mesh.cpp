@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 #include <meshoptimizer.h>
 #include <numeric>
@@ -102,10 +103,12 @@ double longest_side_m(Mesh const& mesh) {
 
 std::string size_warning(Mesh const& mesh, std::string const& file) {
     constexpr double smallest_m = 0.005, largest_m = 3, too_large_for_centimetres_m = 10;
+    constexpr double rounding = 1e-4;  // of positions in single precision, and of what is printed
     double const side_m = longest_side_m(mesh);
-    if (side_m >= smallest_m && side_m < largest_m)
+    bool const is_small = side_m < smallest_m * (1 - rounding);
+    if (!is_small && side_m < largest_m)
         return {};
-    if (side_m < smallest_m)
+    if (is_small)
         return fmt::format("{}: is {:.4g} m long; expected at least {} m (workload.mesh_files.scale: 1 reads metres)",
                            file, side_m, smallest_m);
     bool const is_in_mm = side_m >= too_large_for_centimetres_m;
@@ -122,7 +125,8 @@ bool is_mesh_file(std::string const& name) {
 std::string object_fault(std::string const& name) {
     if (is_mesh_file(name) || models::contains(name))
         return {};
-    return "a built-in class or a mesh file" + did_you_mean(name, models::names());
+    return fmt::format("a built-in class or a mesh file ({}){}", fmt::join(files::mesh_extensions(), ", "),
+                       did_you_mean(name, models::names()));
 }
 
 Mesh object_mesh(std::string const& name, std::string const& key, MeshFilesConfig const& files) {

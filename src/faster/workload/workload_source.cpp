@@ -25,7 +25,7 @@ Stimulus load_stimulus(LoadedConfig& loaded) {
 std::vector<std::string> stimulus_warnings(Stimulus const& stimulus, WorkloadConfig const& config) {
     if (!config.trace.empty())
         return {};
-    return workload::input_warnings(config, stimulus.posed.mesh, stimulus.posed.poses);
+    return workload::input_warnings(config, stimulus.posed.mesh, stimulus.posed.poses, stimulus.fraction);
 }
 
 }  // namespace faster

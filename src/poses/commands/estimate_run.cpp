@@ -69,7 +69,7 @@ std::vector<std::string> EstimateRun::warnings() const {
     if (!request_.bop.folder.empty())
         return {};
     return workload::input_warnings(workload_of(loaded_.config), scene_.observed.posed.mesh,
-                                    {scene_.truths.front().pose});
+                                    {scene_.truths.front().pose}, scene_.observed.fraction);
 }
 
 WorkSize EstimateRun::size() const {

@@ -1,5 +1,6 @@
 #include "faster/workload/files/png_image.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
 #include <stdexcept>
@@ -30,8 +31,12 @@ PngHeader require_pixel_type(std::filesystem::path const& path, std::string_view
     if (!check.header.is_grey() || check.header.bit_depth != bits) {
         refuse(path, "is " + check.header.pixel_type() + " PNG", bits);
     }
-    if (check.header.width > largest_side || check.header.height > largest_side) {
-        refuse(path, fmt::format("has {} x {} pixels", check.header.width, check.header.height), bits);
+    if (std::min(check.header.width, check.header.height) == 0 ||
+        std::max(check.header.width, check.header.height) > largest_side) {
+        refuse(path,
+               fmt::format("has {} x {} pixels (1 to {} a side are read)", check.header.width, check.header.height,
+                           largest_side),
+               bits);
     }
     return check.header;
 }

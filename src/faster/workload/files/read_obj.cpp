@@ -13,7 +13,13 @@ namespace faster::files {
 namespace {
 
 /// Statements of surfaces that are not polygons of this file.
-constexpr std::array<std::string_view, 6> foreign_surfaces{"surf", "bzp", "bsp", "cdp", "call", "csh"};
+constexpr std::array<std::string_view, 4> foreign_surfaces{"surf", "bzp", "bsp", "cdp"};
+/// And of what stands in another file, or comes from another program.
+constexpr std::array<std::string_view, 2> inclusions{"call", "csh"};
+
+template <std::size_t count> bool is_one_of(std::array<std::string_view, count> const& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 class ObjReader {
   public:
@@ -31,7 +37,9 @@ class ObjReader {
                 read_vertex();
             else if (statement == "f" || statement == "fo")
                 read_face();
-            else if (std::find(foreign_surfaces.begin(), foreign_surfaces.end(), statement) != foreign_surfaces.end())
+            else if (is_one_of(inclusions, statement))
+                text_.fail(fmt::format("{}: what it includes is not read, expected polygons (f)", statement));
+            else if (is_one_of(foreign_surfaces, statement))
                 text_.fail(fmt::format("{}: a surface that is not read, expected polygons (f)", statement));
             else
                 continue;

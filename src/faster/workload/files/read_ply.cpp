@@ -41,7 +41,7 @@ class TextNumbers : public PlyNumbers {
     void begin_row() override {
         do {
             if (!text_.next_line_of_words())
-                text_.fail_at_end();
+                text_.fail("the file ends early, expected more rows, each on a line of its own");
             first_ = text_.word();
         } while (first_ == "comment" || first_ == "obj_info");
     }

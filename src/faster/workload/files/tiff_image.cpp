@@ -86,7 +86,7 @@ std::string problem_of(TIFF* tiff) {
                channels = tag<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL),
                format = tag<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
     if (width == 0 || height == 0 || width > longest_side || height > longest_side)
-        return fmt::format("has {} x {} pixels", width, height);
+        return fmt::format("has {} x {} pixels (1 to {} a side are read)", width, height, longest_side);
     if (channels != 1 || bits != 16 || format != SAMPLEFORMAT_UINT)
         return fmt::format("has {} x {}-bit {}", channels, bits,
                            format == SAMPLEFORMAT_IEEEFP ? "floating point numbers"
@@ -130,11 +130,11 @@ bool read_strips(TIFF* tiff, Image<std::uint16_t>& image) {
 }  // namespace
 
 bool is_tiff(std::filesystem::path const& path) {
-    constexpr std::string_view little{"II*\0", 4}, big{"MM\0*", 4};
+    constexpr std::array<std::string_view, 4> marks{std::string_view("II*\0", 4), std::string_view("MM\0*", 4),
+                                                    std::string_view("II+\0", 4), std::string_view("MM\0+", 4)};
     std::array<char, 4> first{};
     std::ifstream(path, std::ios::binary).read(first.data(), first.size());
-    std::string_view const mark(first.data(), first.size());
-    return mark == little || mark == big;
+    return std::find(marks.begin(), marks.end(), std::string_view(first.data(), first.size())) != marks.end();
 }
 
 Image<std::uint16_t> read_tiff16(std::filesystem::path const& path) {

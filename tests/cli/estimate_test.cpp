@@ -265,6 +265,27 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
                                             "0", "--object", "1"}),
                         {"scene_gt.json: 0[0].cam_R_m2c"});
     }
+    SECTION("boxes of what is not seen are enough to hide an object") {
+        dataset.replace("test/000001/scene_gt_info.json",
+                        R"("bbox_obj": [10, 12, 20, 22], "bbox_visib": [11, 13, 9, 8])",
+                        R"("bbox_obj": [-1, -1, -1, -1], "bbox_visib": [-1, -1, -1, -1])");
+        dataset.replace("test/000001/scene_gt_info.json", R"("visib_fract": 1)", R"("of_others": 1)");
+        require_done(estimate({"--object", "1", "--out", "out"}));
+        CHECK(workspace.json("out/estimate.json")["boxes"].empty());
+    }
+    SECTION("a split of several") {
+        std::filesystem::rename(dataset / "test", dataset / "test_a");
+        std::filesystem::copy(dataset / "test_a", dataset / "val", std::filesystem::copy_options::recursive);
+        check_bad_input(estimate({"--object", "1"}), {"has no split test", "a split's folder", "test_a, val"});
+        check_bad_input(estimate({"--object", "1", "--split", "b"}), {"has no split b", "--split with one of"});
+        require_done(estimate({"--object", "1", "--split", "val"}));
+        require_done(workspace.run(
+            {"estimate", "config.yaml", "--untimed", "--bop", (dataset / "val").string(), "--all", "--out", "all"}));
+        check_bad_input(workspace.run({"estimate", "config.yaml", "--bop", (dataset / "val").string(), "--all", "--out",
+                                       "none", "--set", "workload.samples.poses=p.csv"}),
+                        {"workload.samples.poses"});
+        CHECK_FALSE(workspace.has("none"));
+    }
     SECTION("of several instances the nearest is the truth") {
         dataset.add_cylinder(0.1);
         std::filesystem::remove(dataset / "test_targets_bop19.json");  // all that is annotated is to be found
@@ -514,12 +535,16 @@ TEST_CASE("estimate refuses what it cannot use in one line, and writes nothing",
     refuses({"--set", "workload.samples.count=0"}, {"workload.samples.count", "at least 1"});
     refuses({"--set", "workload.trace=" + std::string(FASTER_SOURCE_DIR) + "/traces/one_triangle"},
             {"workload.trace", "moves a mesh"});
+    refuses({"--set", "workload.samples.poses=p.csv"}, {"workload.samples.poses", "draws its samples itself"});
+    refuses({"--set", "estimator.weights.accelerator.edge=0.1000001"},
+            {"estimator.weights.accelerator.edge", "box, in_box, raw, edge", "add up to 1, not to 1.0000001"});
+    refuses({"--set", "estimator.weights.grip.planar=0.5"}, {"estimator.weights.grip.planar", "edge, planar"});
     refuses({"--backend", "gripp"}, {"estimator.backend", "grip"});
     refuses({"--set", "estimator.iterations=0"}, {"estimator.iterations"});
     refuses({"--set", "estimator.iteration=5"}, {"estimator.iterations"});
     refuses({"-j", "0"}, {"--jobs"});
     refuses({"--bop", "nowhere", "--object", "1"}, {"nowhere"});
-    for (char const* const option : {"--scene", "--image", "--object", "--detections"})
+    for (char const* const option : {"--split", "--scene", "--image", "--object", "--detections"})
         refuses({option, "7"}, {option, "--bop"});
     refuses({"--models-in", "m"}, {"--models-in", "--bop"});
     refuses({"--iteration", "0"}, {"--iteration", "--events"});

@@ -290,6 +290,9 @@ TEST_CASE("What is wrong with an experiment file is said with its line", "[exper
     says("version: 1", "version: 2", {":2: version = 2", "expected 1"});
     says("mug]", "mugg]", {":6: ", "mug"});
     says("mug]", "banana]", {":6: ", "at most once"});
+    CHECK_THAT(complaint_about(folder, "mug]", "banana]"), !Catch::Matchers::Contains("did you mean"));
+    says("[banana, mug]", "banana", {":6: objects = banana", "a list of classes"});
+    CHECK_THAT(complaint_about(folder, "[banana, mug]", "banana"), Catch::Matchers::EndsWith("[banana, mug]"));
     says("images: 2", "images: 0", {":6: ", "from 1 to"});
     says("[0.3, 0.9]", "[0.9, 0.3]", {":6: ", "the smaller share first"});
     says("shift:", "shfit:", {":6: ", "did you mean shift?"});

@@ -26,12 +26,6 @@
 namespace faster {
 namespace {
 
-bop::Dataset dataset_of(BopRequest const& request) {
-    bop::DatasetOptions options;
-    options.unit_m = unit_of_models(request.models_in);
-    return bop::read_dataset(request.folder, options);
-}
-
 /// The detector's boxes of targets, or the annotated ones of what is visible, with the configured confidence.
 class TargetBoxes {
   public:
@@ -141,6 +135,7 @@ SettingData prepared_data(EstimateAllRequest const& request, LoadedConfig const&
 }  // namespace
 
 int estimate_all(EstimateAllRequest const& request, LoadedConfig const& loaded) {
+    require_estimable(loaded);
     std::filesystem::path const out = request.out;
     std::size_t const jobs = jobs_or_host_cores(request.jobs);
     std::vector<SettingData> settings{prepared_data(request, loaded)};

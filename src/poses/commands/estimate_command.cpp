@@ -122,6 +122,9 @@ Subcommand estimate_command() {
             add_overrides(command, request->overrides);
             command.add_option("--bop", request->bop.folder, "Look for an object of this dataset (BOP)")
                 ->type_name("DIR");
+            command.add_option("--split", request->bop.split, "Folder of the dataset's scenes; by default test")
+                ->type_name("NAME")
+                ->needs("--bop");
             command.add_option("--scene", request->bop.scene_id, "Of the dataset")->type_name("N")->needs("--bop");
             command.add_option("--image", request->bop.im_id, "Of the scene")->type_name("N")->needs("--bop");
             command.add_option("--object", request->bop.obj_id, "obj_id of the object")->type_name("N")->needs("--bop");

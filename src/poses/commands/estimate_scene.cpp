@@ -16,16 +16,18 @@
 
 namespace faster {
 
-namespace {
-
-/// A trace has triangles, but no mesh to move.
-void require_mesh_and_samples(LoadedConfig const& loaded) {
-    if (!workload_of(loaded.config).trace.empty())
+void require_estimable(LoadedConfig const& loaded) {
+    WorkloadConfig const& workload = workload_of(loaded.config);
+    if (!workload.trace.empty())
         throw InputError(
             complaint(loaded, "workload.trace", "none: estimate moves a mesh, which a trace does not have"));
-    if (workload_of(loaded.config).samples.count == 0)
+    if (!workload.samples.poses.empty())
+        throw InputError(complaint(loaded, "workload.samples.poses", "none: estimate draws its samples itself"));
+    if (workload.samples.count == 0)
         throw InputError(complaint(loaded, "workload.samples.count", "at least 1: estimate scores samples"));
 }
+
+namespace {
 
 /// The configured box, or the one around the object. An object that is not in the image has none.
 std::vector<DetectionConfig> boxes_of(LoadedConfig const& loaded, estimation::Scene const& scene) {
@@ -51,7 +53,7 @@ std::vector<DetectionConfig> boxes_of(LoadedConfig const& loaded, estimation::Sc
 }  // namespace
 
 estimation::Scene configured_scene(LoadedConfig const& loaded) {
-    require_mesh_and_samples(loaded);
+    require_estimable(loaded);
     WorkloadConfig const& workload = workload_of(loaded.config);
     AcceleratorConfig const& accelerator = accelerator_of(loaded.config);
     estimation::Scene scene;
@@ -148,6 +150,13 @@ std::optional<double> unit_of_models(std::string const& name) {
     return name.empty() ? std::nullopt : std::optional(name == "m" ? 1.0 : 1e-3);
 }
 
+bop::Dataset dataset_of(BopRequest const& request) {
+    bop::DatasetOptions options;
+    options.split = request.split;
+    options.unit_m = unit_of_models(request.models_in);
+    return bop::read_dataset(request.folder, options);
+}
+
 bool overlaps(bop::ImageBox const& box, Camera const& camera) {
     return estimation::overlaps({box.left, box.top, box.width, box.height, 0}, camera.width, camera.height);
 }
@@ -160,7 +169,6 @@ bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Ca
 
 estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::Target const& target,
                                 std::vector<bop::Detection> const& boxes) {
-    require_mesh_and_samples(loaded);
     std::vector<std::string> told_before;
     bop::ObjectModel const& model = bop::model_of(dataset, target.obj_id, dataset.folder.string());
     Mesh const mesh = bop::load_model(model, told_before);
@@ -172,10 +180,8 @@ estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& 
 }
 
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request) {
-    require_mesh_and_samples(loaded);
-    bop::DatasetOptions options;
-    options.unit_m = unit_of_models(request.models_in);
-    bop::Dataset const dataset = bop::read_dataset(request.folder, options);
+    require_estimable(loaded);
+    bop::Dataset const dataset = dataset_of(request);
     std::vector<std::string> warnings = dataset.warnings;
     bop::DatasetImage const& image = image_of(dataset, request);
     bop::ObjectModel const& model = bop::model_of(dataset, request.object(), "--object");

@@ -14,6 +14,7 @@ namespace faster {
 struct BopRequest {
     std::string folder;      ///< empty: none
     std::string detections;  ///< JSON file; empty: the annotated boxes
+    std::string split;       ///< folder of the scenes; empty: as read_dataset() has it
     std::string models_in;   ///< unit of the meshes, m or mm; empty: as the dataset's kind has it
     std::optional<int> scene_id;
     std::optional<int> im_id;
@@ -23,18 +24,25 @@ struct BopRequest {
     int object() const { return obj_id.value_or(0); }
 };
 
+/// Throws InputError for what no estimate goes by: a trace, which has no mesh to move, a table of poses, no samples.
+void require_estimable(LoadedConfig const& loaded);
+
 /// The scene of an image: the truths are the object's most visible annotated poses in it, as many as the targets ask
 /// for. Boxes: all detections of the object in the image or, without detections, the truths' that are not hidden, with
 /// the confidence of `estimator.box.confidence`; an object that nobody detected, or that is hidden, has none. Says what
 /// looks like a mistake of the dataset's. Throws InputError for what the dataset does not have.
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request);
 
-/// The scene of a target of a dataset at hand, and `boxes`, whose confidences are their scores.
+/// The scene of a target of a dataset at hand, of a configuration that is require_estimable(), and `boxes`, whose
+/// confidences are their scores.
 estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::Target const& target,
                                 std::vector<bop::Detection> const& boxes);
 
 /// Metres per unit that is called m or mm; nothing for an empty name.
 std::optional<double> unit_of_models(std::string const& name);
+
+/// The dataset of a request.
+bop::Dataset dataset_of(BopRequest const& request);
 
 /// The annotated box of what is visible, or of all of it, or else what the pose says.
 bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera);
@@ -43,7 +51,7 @@ bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Ca
 bool overlaps(bop::ImageBox const& box, Camera const& camera);
 
 /// The scene of a configuration: its workload without samples, whose pose is the truth, and the box of
-/// `estimator.box.*`. Throws InputError for a trace, no samples, and a box outside the image.
+/// `estimator.box.*`. Throws InputError for a configuration that no estimate goes by, and a box outside the image.
 estimation::Scene configured_scene(LoadedConfig const& loaded);
 
 }  // namespace faster

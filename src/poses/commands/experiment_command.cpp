@@ -60,6 +60,7 @@ std::vector<MethodData> methods_of(experiments::Experiment const& experiment) {
         settings.insert(settings.end(), method.settings.begin(), method.settings.end());
         try {
             methods.push_back({method.name, layered_config(files, settings)});
+            require_estimable(methods.back().loaded);
         } catch (InputError const& error) {
             throw InputError(fmt::format("{}: methods.{}: {}", experiment.file, method.name, error.what()));
         }

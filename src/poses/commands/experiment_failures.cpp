@@ -157,8 +157,10 @@ double share_in_window(estimation::Scene const& scene, Pose const& pose) {
 FailureReason reason_of(WantedEstimate const& wanted, experiments::EstimateResult const& result,
                         estimation::Scene const& scene, estimation::TruePose const& truth, JudgedError const& off) {
     bool const has_window = estimator_of(wanted.method->loaded.config).backend == EstimatorBackend::accelerator;
+    if (off.mssd_m < wrong_m)
+        return FailureReason::symmetry;
     if (off.adds_m < wrong_m)
-        return off.mssd_m < wrong_m ? FailureReason::symmetry : FailureReason::turned;
+        return FailureReason::turned;
     if (!was_seen(scene, truth.pose))
         return FailureReason::box;
     if (has_window && share_in_window(scene, truth.pose) < least_in_window)

@@ -16,13 +16,13 @@
 
 namespace faster {
 
-/// Why an estimate is not where the object is: the first of these that holds (docs/poses.md).
+/// Why an estimate is not where the object is. docs/poses.md says which is given where several hold.
 enum class FailureReason {
     box,       ///< no box of the first stage, or none that has a tenth in common with the object's
     size,      ///< more than a tenth of the object's box lies outside of the accelerator's window
     hidden,    ///< less than a tenth of the object can be seen, says the annotation
     symmetry,  ///< right but for a symmetry of the object: MSSD is below 2 cm
-    turned,    ///< the points lie right, though by none of its symmetries: ADD-S is below 2 cm, MSSD is not
+    turned,    ///< the points lie right, though by none of its symmetries: ADD-S is below 2 cm
     score,     ///< the estimate weighs no less than the true pose
     search,    ///< the true pose weighs more, and no sample found it
 };

@@ -146,6 +146,7 @@ class ExperimentReader {
     void read_setting(MapEntry const& map) {
         if (!map.value.IsMap())
             return reject(map, "a map with dataset, or with objects and images");
+        std::size_t const faults_before = faults_.size();
         Setting setting;
         setting.name = map.name;
         static Names const names{"dataset", "models", "objects", "images", "visible", "boxes"};
@@ -165,7 +166,8 @@ class ExperimentReader {
             else
                 reject_name(entry, names);
         }
-        if (setting.dataset.empty() == (setting.objects.empty() || setting.images == 0))
+        bool const is_either = setting.dataset.empty() != (setting.objects.empty() || setting.images == 0);
+        if (!is_either && faults_.size() == faults_before)
             faults_.push_back({map.line, map.name, std::nullopt, "expected either dataset, or objects and images"});
         if (!setting.dataset.empty() && !setting.models.empty())
             faults_.push_back({map.line, map.name, std::nullopt, "has models, which a dataset brings itself"});
@@ -179,10 +181,11 @@ class ExperimentReader {
         else
             for (YAML::Node const& item : list.value) {
                 std::string const name = item.IsScalar() ? item.Scalar() : "";
-                if (obj_id_of(name) == 0 || std::count(names.begin(), names.end(), name) > 0)
-                    faults_.push_back(
-                        {list.line, list.name, shown(item),
-                         "expected each of the built-in classes at most once" + did_you_mean(name, ycb_classes())});
+                bool const is_class = obj_id_of(name) != 0;
+                if (!is_class || std::count(names.begin(), names.end(), name) > 0)
+                    faults_.push_back({list.line, list.name, shown(item),
+                                       "expected each of the built-in classes at most once" +
+                                           (is_class ? "" : did_you_mean(name, ycb_classes()))});
                 names.push_back(name);
             }
         return names;

@@ -1,6 +1,7 @@
 #pragma once
 // Operators of ap_int and ap_uint up to 64 bits that give the tools' values where one side has a sign and the other has
-// none. SystemC's make a plain 64-bit number of each side first: -5 < 100U is false then, and 100U - 200U above 0.
+// none. SystemC's make a plain 64-bit number of each side first: -5 < 100U is false then, and 100U - 200U above 0. And
+// those above 64 bits in which SystemC's know no width, or are not there.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -54,6 +55,36 @@ template <class A> A shifted(A const& a, Wide left) {
     return A(static_cast<decltype(a.value())>(bits));
 }
 
+/// A number above 64 bits.
+template <class Any> struct Long {
+    static constexpr bool is_it = false;
+};
+template <int width> struct Long<sc_dt::sc_bigint<width>> {
+    static constexpr bool is_it = true;
+    static constexpr int bits = width;
+    using Base = sc_dt::sc_signed;
+};
+template <int width> struct Long<sc_dt::sc_biguint<width>> {
+    static constexpr bool is_it = true;
+    static constexpr int bits = width;
+    using Base = sc_dt::sc_unsigned;
+};
+template <class A, class B>
+using IfLongBy = std::enable_if_t<Long<A>::is_it && Side<B>::is_number, int>;
+template <class A, class B>
+using IfShortAndLong = std::enable_if_t<Side<A>::is_ap && Long<B>::is_it, int>;
+
+template <class A> A long_shifted(A const& a, Wide left) {
+    using Base = typename Long<A>::Base;
+    int const by = static_cast<int>(std::min<Wide>(left < 0 ? -left : left, Long<A>::bits));
+    A result;
+    if (left < 0)
+        result = static_cast<Base const&>(a) >> by;
+    else
+        result = static_cast<Base const&>(a) << by;
+    return result;
+}
+
 }  // namespace faster_ap
 
 namespace sc_dt {  // where the compiler looks for operators of these types
@@ -103,5 +134,38 @@ template <class A, faster_ap::IfSides<A, A> = 0> A operator~(A const& a) {
 template <class A, faster_ap::IfSides<A, A> = 0> std::int64_t operator-(A const& a) {
     return static_cast<std::int64_t>(-faster_ap::wide(a));
 }
+
+/// The same of long numbers.
+template <class A, class B, faster_ap::IfLongBy<A, B> = 0> A operator<<(A const& a, B const& by) {
+    return faster_ap::long_shifted(a, faster_ap::wide(by));
+}
+template <class A, class B, faster_ap::IfLongBy<A, B> = 0> A operator>>(A const& a, B const& by) {
+    return faster_ap::long_shifted(a, -faster_ap::wide(by));
+}
+template <class A, class B, faster_ap::IfLongBy<A, B> = 0> A& operator<<=(A& a, B const& by) { return a = a << by; }
+template <class A, class B, faster_ap::IfLongBy<A, B> = 0> A& operator>>=(A& a, B const& by) { return a = a >> by; }
+template <int width> sc_biguint<width> operator~(sc_biguint<width> const& a) {
+    sc_biguint<width> inverted;
+    inverted = ~static_cast<sc_unsigned const&>(a);
+    return inverted;
+}
+template <class A, std::enable_if_t<faster_ap::Long<A>::is_it, int> = 0> bool operator!(A const& a) { return a == 0; }
+
+// NOLINTBEGIN(bugprone-macro-parentheses): operators
+#define FASTER_AP_ASSIGNMENT(op)                                     \
+    template <class A, class B, faster_ap::IfShortAndLong<A, B> = 0> \
+    A& operator op##=(A& a, B const& b) {                            \
+        return a = a op b;                                           \
+    }
+FASTER_AP_ASSIGNMENT(+)
+FASTER_AP_ASSIGNMENT(-)
+FASTER_AP_ASSIGNMENT(*)
+FASTER_AP_ASSIGNMENT(/)
+FASTER_AP_ASSIGNMENT(%)
+FASTER_AP_ASSIGNMENT(&)
+FASTER_AP_ASSIGNMENT(|)
+FASTER_AP_ASSIGNMENT(^)
+#undef FASTER_AP_ASSIGNMENT
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace sc_dt

@@ -43,7 +43,35 @@ void check_signs() {
     check(s == 95, "adds up");
 }
 
-template <class Does> bool is_refused(Does does) {
+/// Above 64 bits.
+void check_wide() {
+    ap_uint<65> const highest = ap_uint<65>(1) << 64;
+    ap_uint<80> const moved = (highest << 1) + (highest >> 63);
+    check(moved == 2, "drops the bits beyond its width");
+    ap_uint<80> const inverted = ~ap_uint<70>(5);
+    check((inverted >> 70) == 0 && (inverted >> 69) == 1 && ~ap_int<70>(5) == -6, "inverts its own bits only");
+    ap_int<100> const a = 512;
+    check((a << -2) == 128 && (a >> ap_int<4>(-2)) == 2048 && (a << 300) == 0 && (ap_int<100>(-5) >> 200) == -1,
+          "wide numbers the other way, and by more than there is");
+    ap_int<100> b = a;
+    b <<= 2;
+    b >>= -1;
+    check(b == 4096 && !ap_int<129>(0) && !!b, "and in place");
+    ap_int<7> s = -20;
+    ap_uint<70> const w = 9;
+    s += w;
+    check(s == -11, "adds a wide one to a narrow one");
+    s -= w;
+    s *= w;
+    check(s == -52, "and wraps");
+    s %= w;
+    check(s == -7, "a remainder");
+    s /= ap_int<70>(-2);
+    s |= w;
+    check(s == 11, "a quotient");
+}
+
+template <class Does> bool is_refused(Does does, std::string const& text = "") {
     try {
         does();
     } catch (dataflow::InputError const&) {
@@ -140,3 +168,4 @@ int sc_main(int /*argc*/, char** /*argv*/) {
     check_shown_tokens();
     return failures;
 }
+    check_wide();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "dataflow/base/input_error.hpp"
 #include "hls/live_function.hpp"
@@ -26,6 +27,13 @@ void HlsDesign::complete() {
                 return other->number() < stream->number() && other->name() == name;
             }))
             throw InputError("two streams of the design have the name " + name + ", expected another for one of them");
+        if (std::any_of(processes_.begin(), processes_.end(),
+                        [&](untimed::ProcessCall const& process) { return process.name == name; }))
+            throw InputError("a stream and a process of the design have the name " + name +
+                             ", expected another for one of them");
+        if (stream->bits() == 0)
+            throw InputError("stream " + name + " carries a struct, whose memory is more than its wires, expected " +
+                             "static constexpr unsigned bits = ... in it, which says how many those are");
         stream->rename(name);
     }
     if (processes_.empty())
@@ -33,6 +41,9 @@ void HlsDesign::complete() {
 }
 
 namespace {
+
+constexpr char const* expected_defaults =
+    " with the defaults of the design's numbers, expected defaults that make it use all of its loops and streams";
 
 /// A token's value, as wide as the type of its stream says.
 class HlsFifo final : public ClockedFifo<std::int64_t> {
@@ -85,6 +96,10 @@ class DiscoveredProcess {
                 giver = i;
         return giver;
     }
+    bool uses(untimed::StreamBase const& stream) const {
+        return std::any_of(ends_.begin(), ends_.end(),
+                           [&stream](Access const& access) { return access.stream == stream.number(); });
+    }
     bool uses(std::size_t loop, Access const& access) const {
         return std::find(used_in_[loop].begin(), used_in_[loop].end(), access) != used_in_[loop].end();
     }
@@ -111,6 +126,10 @@ class Describer {
         network_.run();
         for (std::size_t i = 0; i < design.processes().size(); ++i)
             processes_.emplace_back(network_.recorder(i), network_.events()[i]);
+        for (untimed::StreamBase const* const stream : design.streams())
+            if (std::none_of(processes_.begin(), processes_.end(),
+                             [stream](DiscoveredProcess const& process) { return process.uses(*stream); }))
+                throw InputError("stream " + stream->name() + " of the design is not used" + expected_defaults);
     }
 
     CoreDescription core() const {
@@ -249,7 +268,7 @@ class HlsModule : public SimpleModule {
             if (event.what == Event::What::enter)
                 i = run_loop(i);
             else
-                do_step(recorder().groups()[event.number].front());
+                do_step(event.number);
         }
         if (number_ + 1 == core_.design().processes().size())
             add_result(core_.next_results());
@@ -261,8 +280,10 @@ class HlsModule : public SimpleModule {
         require_described(loop);
         std::uint64_t iterations = 0;
         std::size_t end = begin + 1;
-        for (; script_->events[end].what == Event::What::iterate; ++end)
+        for (; script_->events[end].what == Event::What::iterate; ++end) {
             iterations += script_->events[end].count;
+            require_described(loop.name, script_->events[end].number);
+        }
         std::size_t at = begin + 1;
         std::uint64_t done = 0;  // of the event at hand
         clock_.pipeline(loop.name, iterations, [&](std::uint64_t) {
@@ -279,15 +300,21 @@ class HlsModule : public SimpleModule {
         for (std::size_t const number : process().loops)
             if (core_.machine().loops[number].name == loop.name)
                 return;
-        throw InputError("process " + process().name + " runs its loop " + loop.name +
-                         ", which it does not with the defaults of the design's numbers, expected defaults that make " +
-                         "it use all of its loops and streams");
+        throw InputError("process " + process().name + " runs its loop " + loop.name + ", which it does not" +
+                         expected_defaults);
+    }
+    void require_described(char const* loop, std::size_t group) {
+        if (described_.emplace(loop, group).second)
+            for (Access const& access : recorder().groups()[group])
+                core_.require_described(number_, loop, access);
     }
     void take(std::size_t stream) {
         clock_.take_later(core_.stream_fifo(stream), [](std::int64_t) {});
     }
 
-    void do_step(Access const& access) {
+    void do_step(std::size_t group) {
+        require_described(nullptr, group);
+        Access const& access = recorder().groups()[group].front();
         if (access.writes)
             core_.stream_fifo(access.stream).write(next_token(access.stream));
         else
@@ -300,7 +327,8 @@ class HlsModule : public SimpleModule {
     HlsCore& core_;
     std::size_t number_;
     HlsScript const* script_ = nullptr;
-    std::vector<std::size_t> written_;  // of the call at hand, by stream
+    std::vector<std::size_t> written_;                         // of the call at hand, by stream
+    std::set<std::pair<char const*, std::size_t>> described_;  // loops, or none, and groups of accesses in them
 };
 
 }  // namespace
@@ -327,6 +355,31 @@ HlsCore::HlsCore(SimpleCoreParts const& parts, MakeHlsDesign const& make)
 }
 
 HlsCore::~HlsCore() = default;
+
+void HlsCore::require_described(std::size_t process, char const* loop, Access const& access) const {
+    std::string const& stream = design_->streams()[access.stream]->name();
+    if (!is_described(machine().processes[process], loop, machine().fifo(stream), access.writes))
+        throw InputError("process " + machine().processes[process].name + (access.writes ? " writes" : " reads") +
+                         " stream " + stream + (loop != nullptr ? " in its loop " + std::string(loop) : "") +
+                         ", which it does not" + expected_defaults);
+}
+
+/// A loop that only reads, in the first stage, need not say what.
+bool HlsCore::is_described(MachineProcess const& process, char const* loop, std::size_t fifo, bool writes) const {
+    auto const is_end = [&](MachineEnd const& end) { return end.fifo == fifo && end.writes == writes; };
+    if (std::none_of(process.ends.begin(), process.ends.end(), is_end))
+        return false;
+    if (loop == nullptr)
+        return true;
+    for (std::size_t const number : process.loops) {
+        MachineLoop const& one = machine().loops[number];
+        std::vector<std::size_t> const& fifos = writes ? one.writes : one.reads;
+        if (one.name == loop)
+            return std::find(fifos.begin(), fifos.end(), fifo) != fifos.end() ||
+                   (!writes && one.writes.empty() && one.reads.empty());
+    }
+    return true;
+}
 
 void HlsCore::run_call() {
     design_->set_call(next_call_++);

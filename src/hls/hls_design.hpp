@@ -47,7 +47,7 @@ class HlsDesign {
     std::vector<untimed::ProcessCall> const& processes() const { return processes_; }
     std::vector<untimed::StreamBase*> const& streams() const { return streams_; }
     void set_call(std::uint64_t number) { call_ = number; }
-    /// Streams without a name get one, and all are made fit for keys. Once it is constructed.
+    /// Streams without a name get one, and all are made fit for keys. Once it is constructed. Errors: InputError
     void complete();
 
   protected:
@@ -91,6 +91,8 @@ class HlsCore : public SimpleCore {
     HlsDesign& live_design() const { return *design_; }
     untimed::LoopRecorder const& recorder(std::size_t process) const { return network_.recorder(process); }
     ClockedFifo<std::int64_t>& stream_fifo(std::size_t stream) const { return *fifos_[stream]; }
+    /// Throws InputError if the description does not have it. `loop`: null outside loops
+    void require_described(std::size_t process, char const* loop, untimed::Access const& access) const;
     /// What a process does in its next call. All functions run for the first that asks.
     HlsScript next_script(std::size_t process);
     /// The results of the calls, in their order.
@@ -98,6 +100,7 @@ class HlsCore : public SimpleCore {
 
   private:
     void run_call();
+    bool is_described(MachineProcess const& process, char const* loop, std::size_t fifo, bool writes) const;
 
     std::unique_ptr<HlsDesign> design_;
     untimed::UntimedNetwork network_;

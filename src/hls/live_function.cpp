@@ -17,8 +17,17 @@ using untimed::LoopMark;
 using untimed::StreamBase;
 
 void LiveFunction::run() {
+    untimed::ProcessCall const& process = core_.design().processes()[process_];
+    idle_.ends();
     go_on();
-    core_.design().processes()[process_].call();
+    try {
+        process.call();
+    } catch (sc_core::sc_unwind_exception const&) {
+        throw;
+    } catch (...) {
+        untimed::observer = nullptr;
+        std::rethrow_exception(untimed::thrown_by(process.name));
+    }
     leave_loop();
     untimed::observer = nullptr;
 }
@@ -55,6 +64,12 @@ void LiveFunction::come_to_access() {
         leave_loop();
 }
 
+void LiveFunction::begin_access(untimed::Access const& access) {
+    idle_.ends();
+    if (described_.emplace(loop_, access).second)
+        core_.require_described(process_, loop_ != nullptr ? loop_->name : nullptr, access);
+}
+
 void LiveFunction::open_iteration() {
     if (std::exchange(is_open_, true))
         clock_.close_iteration();
@@ -63,6 +78,7 @@ void LiveFunction::open_iteration() {
 }
 
 void LiveFunction::begins_iteration(LoopMark const& loop) {
+    idle_.count(core_.machine().processes[process_].name, loop);
     if (is_around(loop)) {
         come_to_access();
         return go_on();
@@ -89,12 +105,14 @@ void LiveFunction::ends_iteration(LoopMark const& loop) noexcept {
 
 void LiveFunction::reads(StreamBase& stream) {
     come_to_access();
+    begin_access({stream.number(), false});
     core_.stream_fifo(stream.number()).read();
     end_access();
 }
 
 void LiveFunction::wrote(StreamBase& stream) {
     come_to_access();
+    begin_access({stream.number(), true});
     core_.stream_fifo(stream.number()).write(stream.shown_last());
     end_access();
 }
@@ -104,6 +122,7 @@ bool LiveFunction::attempts(StreamBase const& stream, Attempt const& attempt) {
         come_to_question({stream.number(), attempt.writes});
     else
         come_to_access();
+    begin_access({stream.number(), attempt.writes});
     bool const is_found = find(core_.stream_fifo(stream.number()), attempt);
     end_access();
     return is_found;

@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <set>
+#include <utility>
 
 #include "channels/process_clock.hpp"
 #include "hls/hls_design.hpp"
@@ -39,6 +41,7 @@ class LiveFunction final : public untimed::Observer {
     void open_iteration();
     void come_to_question(untimed::Access const& access);
     void come_to_access();
+    void begin_access(untimed::Access const& access);
     void leave_loop();
     void go_on();
     void end_access();
@@ -53,6 +56,8 @@ class LiveFunction final : public untimed::Observer {
     bool is_open_ = false;                     ///< the last of them has not been told
     bool leaves_ = false;                      ///< a loop around it has gone on
     untimed::Accesses asked_;                  ///< of the last of them
+    untimed::IdleIterations idle_;
+    std::set<std::pair<untimed::LoopMark const*, untimed::Access>> described_;  ///< that it makes, in loops or in none
 };
 
 }  // namespace dataflow

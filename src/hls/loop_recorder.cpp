@@ -6,6 +6,17 @@
 
 namespace dataflow::untimed {
 
+namespace {
+constexpr std::uint64_t most_idle_iterations = std::uint64_t{1} << 26U;  ///< seconds
+}
+
+void IdleIterations::count(std::string const& process, LoopMark const& loop) {
+    if (++count_ > most_idle_iterations)
+        throw InputError("process " + process + " has begun more than " + std::to_string(most_idle_iterations) +
+                         " iterations of its loop " + loop.name +
+                         " without an access to a stream, expected a function that returns");
+}
+
 std::size_t LoopRecorder::number_of(LoopMark const& loop) {
     for (std::size_t i = 0; i < loops_.size(); ++i) {
         if (std::strcmp(loops_[i].name, loop.name) != 0)
@@ -33,6 +44,7 @@ void LoopRecorder::leave() {
 }
 
 void LoopRecorder::access(Access access) {
+    idle_.ends();
     if (!open_.empty() && !open_.back().is_around) {
         open_.back().accesses.push_back(access);
         return;
@@ -55,6 +67,7 @@ void LoopRecorder::put_around(Open& outer) {
 }
 
 void LoopRecorder::begin(LoopMark const& loop) {
+    idle_.count(process_, loop);
     if (!open_.empty())
         put_around(open_.back());
     open_.push_back({number_of(loop), {}});
@@ -101,6 +114,7 @@ Events LoopRecorder::as_parts(Events const& events) {
 }
 
 Events LoopRecorder::take() {
+    idle_.ends();
     leave();
     Events events = std::exchange(events_, {});
     if (!around_.empty())

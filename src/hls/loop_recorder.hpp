@@ -35,17 +35,32 @@ struct Event {
 };
 using Events = std::vector<Event>;
 
+/// Sees that a function does something else than to go round in its loops.
+///   errors  InputError for one that never does
+class IdleIterations {
+  public:
+    void ends() { count_ = 0; }
+    void count(std::string const& process, LoopMark const& loop);
+
+  private:
+    std::uint64_t count_ = 0;
+};
+
 /// Turns what a function does into events. A loop goes on until its function does something else: loops around it that
 /// have no mark and do nothing of their own are one with it, as tools flatten them. A marked loop around other marked
 /// ones only says where those end; what it accesses itself is outside loops.
-///   errors  InputError for a pipelined loop around a marked one, and for two loops of one name that differ
+///   errors  InputError for a pipelined loop around a marked one, for two loops of one name that differ, and for a
+///           function that never ends
 class LoopRecorder {
   public:
     explicit LoopRecorder(std::string process) : process_(std::move(process)) {}
 
     void access(Access access);
     /// Some of the accesses of that kind do not wait.
-    void attempt(Access const& access) { attempts_.insert(access); }
+    void attempt(Access const& access) {
+        idle_.ends();
+        attempts_.insert(access);
+    }
     bool attempts(Access const& access) const { return attempts_.count(access) != 0; }
     void begin(LoopMark const& loop);
     void end();
@@ -77,6 +92,7 @@ class LoopRecorder {
     bool is_in_loop_ = false;
     std::size_t loop_ = 0;  // that it is in
     Events events_;
+    IdleIterations idle_;
 };
 
 }  // namespace dataflow::untimed

@@ -8,8 +8,8 @@
 namespace dataflow::untimed {
 
 /// How wide a token is, and the number that waveforms show of it: of integers their value, of fixed-point numbers their
-/// bits, of anything else its first eight bytes. A struct is as wide as its memory; who wants its wires counted
-/// specializes this for it.
+/// bits, of anything else its first eight bytes. A struct says its wires as a constant `bits`, or is as wide as its
+/// memory if every bit of that counts. Of any other the width is 0: not known.
 template <class Token> struct TokenTraits {
     static unsigned bits() {
         if constexpr (std::is_same_v<Token, bool>)
@@ -18,8 +18,12 @@ template <class Token> struct TokenTraits {
             return static_cast<unsigned>(Token().wl());
         else if constexpr (decltype(has_length<Token>(0))::value)
             return static_cast<unsigned>(Token().length());
-        else
+        else if constexpr (decltype(says_bits<Token>(0))::value)
+            return Token::bits;
+        else if constexpr (std::is_arithmetic_v<Token> || std::has_unique_object_representations_v<Token>)
             return 8 * sizeof(Token);
+        else
+            return 0;
     }
     static bool is_signed() {
         if constexpr (std::is_integral_v<Token>)
@@ -47,6 +51,8 @@ template <class Token> struct TokenTraits {
   private:
     template <class Any> static auto has_word_length(int) -> decltype(Any().wl(), std::true_type());
     template <class Any> static std::false_type has_word_length(...);
+    template <class Any> static auto says_bits(int) -> decltype(std::bool_constant<(Any::bits > 0)>());
+    template <class Any> static std::false_type says_bits(...);
     template <class Any> static auto has_length(int) -> decltype(Any().length(), std::true_type());
     template <class Any> static std::false_type has_length(...);
     template <class Any> static auto has_int64(int) -> decltype(Any().to_int64(), std::true_type());

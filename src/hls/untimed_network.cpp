@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -27,6 +28,22 @@ void refuse_size(StreamBase const& stream) {
 void refuse_stranger(StreamBase const& stream) {
     throw InputError("stream " + stream.name() + " is none of the design's, expected streams between functions as " +
                      "members of the class that derives HlsDesign");
+}
+
+std::exception_ptr thrown_by(std::string const& process) {
+    try {
+        throw;
+    } catch (InputError const&) {
+        return std::current_exception();
+    } catch (std::bad_alloc const&) {
+        return std::current_exception();
+    } catch (std::exception const& error) {
+        return std::make_exception_ptr(
+            InputError("process " + process + " has thrown: " + error.what() + ", expected a function that returns"));
+    } catch (...) {
+        return std::make_exception_ptr(InputError("process " + process + " has thrown something that is no " +
+                                                  "std::exception, expected a function that returns"));
+    }
 }
 
 /// Whose turn it is: that of a function, each of which has a thread, or that of the network.
@@ -124,7 +141,7 @@ class UntimedNetwork::Watcher final : public Observer {
                 network_.processes_[process_].call();
         } catch (GivenUp const&) {  // all that it did is known
         } catch (...) {
-            error_ = std::current_exception();
+            error_ = thrown_by(network_.processes_[process_].name);
         }
         observer = nullptr;
         is_done_ = has_moved_ = true;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -15,6 +16,9 @@ namespace dataflow::untimed {
 [[noreturn]] void refuse_size(StreamBase const& stream);
 [[noreturn]] void refuse_stranger(StreamBase const& stream);
 
+/// What a function of a design throws, as the InputError that names its process. In the handler of it.
+std::exception_ptr thrown_by(std::string const& process);
+
 /// A function of a design, with its arguments.
 struct ProcessCall {
     std::string name;
@@ -26,7 +30,7 @@ struct ProcessCall {
 /// depend on that order, as each stream has one writer and one reader and reads wait. So this is what hardware does,
 /// whenever it does it. An access that does not wait has no such answer: of those every third finds nothing, so that
 /// both ways through a function are seen, and what comes of it is no more than an example.
-///   errors  InputError for size(), and what the functions throw
+///   errors  InputError for size(), for what the functions throw, and for one that does not return
 class UntimedNetwork {
   public:
     explicit UntimedNetwork(std::vector<ProcessCall> const& processes);

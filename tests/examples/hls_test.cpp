@@ -254,6 +254,33 @@ TEST_CASE("A broken report, or map, is one line with file, line, what is there a
     CHECK_THAT(complaint(good, "loop: {}"), Contains("section loop, expected loops or fifos"));
 }
 
+TEST_CASE("What is wrong with a function that runs is one line with its process", "[examples]") {
+    TempFolder const folder;
+    std::ofstream(folder / "empty.yaml") << "{}\n";
+    for (std::string const binary : {HLS_LOADS_BINARY, HLS_WAITING_LOADS_BINARY})
+        for (std::string const engine : {"decoupled", "lockstep"}) {
+            auto const refused = [&](std::string const& mistake) {
+                CommandResult const result =
+                    run_command(binary,
+                                with_settings({"run", "empty.yaml"},
+                                              {"workload.mistake=" + mistake, "simulation.engine=" + engine}),
+                                folder.path());
+                CHECK(result.exit_code == 2);
+                CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+                return result.err;
+            };
+            CAPTURE(binary, engine);
+            CHECK_THAT(refused("1"), Contains("process load has thrown: no row 3"));
+            CHECK_THAT(refused("2"), Contains("process load has thrown something that is no std::exception"));
+            CHECK_THAT(refused("3"), Contains("process sum reads stream last in its loop add, which it does not with "
+                                              "the defaults of the design's numbers"));
+        }
+    CommandResult const endless =
+        run_command(HLS_WAITING_LOADS_BINARY, {"run", "empty.yaml", "--set", "workload.mistake=4"}, folder.path());
+    CHECK(endless.exit_code == 2);
+    CHECK_THAT(endless.err, Contains("process load has begun more than") && Contains("iterations of its loop fetch"));
+}
+
 /// Whatever bytes there are, the answer is a table or a line.
 TEST_CASE("A damaged report does no harm", "[examples]") {
     unsigned const seed = 541;

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <faster_hls.h>
 #include <hls_design.hpp>
+#include <memory>
+#include <string>
 
 #include "dataflow/base/input_error.hpp"
 #include "hls/untimed_network.hpp"
@@ -74,8 +76,8 @@ void check_wide() {
 template <class Does> bool is_refused(Does does, std::string const& text = "") {
     try {
         does();
-    } catch (dataflow::InputError const&) {
-        return true;
+    } catch (dataflow::InputError const& error) {
+        return std::string(error.what()).find(text) != std::string::npos;
     }
     return false;
 }
@@ -131,6 +133,57 @@ void check_streams_of_nobody() {
     check(Forgetful().streams().front() == nullptr, "a stream that is gone");
 }
 
+struct Exact {
+    std::int32_t a, b;
+};
+struct Padded {
+    std::int32_t a;
+    bool b;
+};
+struct Tools {
+    ap_uint<8> a, b;
+};
+struct Said {
+    static constexpr unsigned bits = 17;
+    ap_uint<16> a;
+    bool b;
+};
+template <class Token> unsigned bits_of() { return dataflow::untimed::TokenTraits<Token>::bits(); }
+
+template <class Token> struct OneStream : dataflow::HlsDesign {
+    hls::stream<Token> stream;
+    explicit OneStream(std::string const& name) : stream(name) {
+        process("writer", [this] { stream.write(Token()); });
+        process("reader", [this] { stream.read(); });
+    }
+};
+template <class Token> void complete(std::string const& name) { OneStream<Token>(name).complete(); }
+
+void check_widths() {
+    check(bits_of<Exact>() == 64 && bits_of<Said>() == 17 && bits_of<double>() == 64, "what is known");
+    check(bits_of<Padded>() == 0 && bits_of<Tools>() == 0, "memory that is more than the wires");
+    check(is_refused([] { complete<Tools>("pair"); }, "stream pair carries a struct"), "a struct of the tools' types");
+    check(!is_refused([] { complete<Said>("pair"); }), "one that says its bits");
+    check(is_refused([] { complete<int>("reader"); }, "a stream and a process of the design have the name reader"),
+          "a stream by the name of a process");
+}
+
+struct TwoStreams : OneStream<int> {
+    hls::stream<int> unused{"unused"};
+    TwoStreams() : OneStream("used") {}
+};
+
+void check_unused() {
+    auto const make = [](dataflow::Numbers const&) -> std::unique_ptr<dataflow::HlsDesign> {
+        auto design = std::make_unique<TwoStreams>();
+        design->complete();
+        return design;
+    };
+    check(is_refused([&] { dataflow::describe_hls_design({}, make); },
+                     "stream unused of the design is not used with the defaults"),
+          "a stream that nobody uses");
+}
+
 void check_shown_tokens() {
     using Traits = dataflow::untimed::TokenTraits<ap_fixed<12, 4>>;
     check(Traits::shown(1.25) == 320 && Traits::shown(-0.25) == -64, "bits of a fixed-point number");
@@ -163,9 +216,11 @@ int sc_main(int /*argc*/, char** /*argv*/) {
     wide.write(5);
     check(wide.read().to_int() == 5, "a wide one");
     check_signs();
+    check_wide();
+    check_widths();
+    check_unused();
     check_loops_around_others();
     check_streams_of_nobody();
     check_shown_tokens();
     return failures;
 }
-    check_wide();

@@ -1,6 +1,7 @@
 // Functions over hls::stream (examples/hls_*): their cycles against those of the designs by hand, of closed forms and
 // of published ones; and the schedule of a synthesis report.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -252,6 +253,89 @@ TEST_CASE("A broken report, or map, is one line with file, line, what is there a
     CHECK_THAT(complaint("<profile/>", ""), Contains("no loop, expected"));
     CHECK_THAT(complaint(good, "loops: {producer.sent: a.b}"), Contains("did you mean producer.send?"));
     CHECK_THAT(complaint(good, "loop: {}"), Contains("section loop, expected loops or fifos"));
+}
+
+/// A report of pipelined loops.
+struct Pipelined {
+    std::string module, name;
+    int ii, depth;
+};
+std::string report_of(std::vector<Pipelined> const& loops, std::string const& fifos = "") {
+    std::string text = "<profile>\n<ReportVersion><Version>2022.2</Version></ReportVersion>\n<ModuleInformation>\n";
+    for (Pipelined const& loop : loops)
+        text += "<Module><Name>" + loop.module + "</Name><PerformanceEstimates><SummaryOfLoopLatency><" + loop.name +
+                "><TripCount>30</TripCount><PipelineII>" + std::to_string(loop.ii) + "</PipelineII><PipelineDepth>" +
+                std::to_string(loop.depth) + "</PipelineDepth></" + loop.name +
+                "></SummaryOfLoopLatency></PerformanceEstimates></Module>\n";
+    return text + "</ModuleInformation>\n" + fifos + "</profile>\n";
+}
+std::string fifo_node(std::string const& name, std::string const& depth) {
+    return "<BindNode OPTYPE=\"fifo\" VARIABLE=\"" + name + "\" DEPTH=\"" + depth + "\"/>\n";
+}
+CommandResult schedule_loads(TempFolder const& folder, std::string const& report, Words const& more = {}) {
+    std::ofstream(folder / "r.xml") << report;
+    std::ofstream(folder / "empty.yaml") << "{}\n";
+    Words words{"r.xml"};
+    words.insert(words.end(), more.begin(), more.end());
+    return schedule(HLS_LOADS_BINARY, words, folder);
+}
+
+TEST_CASE("A module of a report belongs to the process with the longest name that it begins with", "[examples]") {
+    TempFolder const folder;
+    CommandResult const result = schedule_loads(folder, report_of({{"load_w_Pipeline_1", "L", 4, 9}}));
+    require_done(result);
+    CHECK_THAT(result.out, Contains("accelerator.loops.load_w.fetch.ii") && !Contains("accelerator.loops.load.") &&
+                               Contains("load.fetch of the design: no loop of the report"));
+}
+
+/// What it finds is needed before the next iteration reads.
+TEST_CASE("A scheduled loop attempts to write before its next iteration reads", "[examples]") {
+    TempFolder const folder;
+    for (auto const& [ii, depth, stage] : {std::array{2, 5, 1}, {4, 3, 2}}) {
+        CommandResult const result = schedule_loads(folder, report_of({{"sum", "add", ii, depth}}),
+                                                    {"--config", "empty.yaml", "--out", "scheduled.yaml"});
+        require_done(result);
+        std::string const row = "accelerator.fifos.sums.write_latency        1          " + std::to_string(stage);
+        CHECK_THAT(result.out, Contains(row));
+        cycles(HLS_LOADS_BINARY, folder / "scheduled.yaml");
+    }
+    CommandResult const refused = schedule_loads(
+        folder, report_of({{"sum", "add", 2, 5}}),
+        {"--config", "empty.yaml", "--set", "accelerator.fifos.weight.read_stage=1", "--out", "refused.yaml"});
+    CHECK(refused.exit_code == 2);
+    CHECK_THAT(refused.err, Contains("the scheduled run cannot be done: loop sum.add reads weight in stage 1"));
+    CHECK(!fs::exists(folder / "refused.yaml"));
+}
+
+TEST_CASE("What a report says twice and differently is not chosen from", "[examples]") {
+    TempFolder const folder;
+    Pipelined const add{"sum", "add", 2, 5};
+    std::ofstream(folder / "map.yaml") << "loops: {sink.poll: sum.add}\n";
+    CommandResult const same = schedule_loads(folder, report_of({add, add}), {"--map", "map.yaml"});
+    require_done(same);
+    CHECK_THAT(same.out, Contains("accelerator.loops.sink.poll.depth"));
+    std::string const differ = report_of({add, {"sum", "add", 3, 5}}, fifo_node("sums", "4") + fifo_node("sums", "8"));
+    CommandResult const twice = schedule_loads(folder, differ);
+    require_done(twice);
+    CHECK_THAT(twice.out, Contains("sum.add of the design: several loops of the report") &&
+                              Contains("sums of the report, of depth 8: another FIFO of the report has its name") &&
+                              !Contains("accelerator.fifos.sums.depth"));
+    CHECK_THAT(schedule_loads(folder, differ, {"--map", "map.yaml"}).err,
+               Contains("--map: sum.add is several loops of the report, expected one"));
+}
+
+TEST_CASE("A figure that no key can have is told by its place in the report", "[examples]") {
+    TempFolder const folder;
+    Pipelined const add{"sum", "add", 2, 5};
+    CHECK_THAT(schedule_loads(folder, report_of({add, {"load", "fetch", 1, 5'000'000}})).err,
+               Contains("r.xml:5: PipelineDepth of load.fetch = 5000000, expected 1 to 1000000"));
+    CHECK_THAT(schedule_loads(folder, report_of({add}, fifo_node("sums", "9000000"))).err,
+               Contains("r.xml:6: DEPTH of sums = 9000000, expected 1 to 1048576"));
+    CHECK_THAT(schedule_loads(folder, report_of({add}, fifo_node("sums", "0"))).out,
+               Contains("sums of the report: no depth that it knows"));
+    std::ofstream(folder / "map.yaml") << "fifos: {sums: sum_stream}\n";
+    CHECK_THAT(schedule_loads(folder, report_of({add}, fifo_node("sums_stream", "4")), {"--map", "map.yaml"}).err,
+               Contains("--map: sum_stream is not there, expected a FIFO of the report, did you mean sums_stream?"));
 }
 
 TEST_CASE("What is wrong with a function that runs is one line with its process", "[examples]") {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dataflow/base/files/output_file.hpp"
@@ -41,6 +42,8 @@ std::vector<std::string> settings_of(schedule::Schedule const& schedule) {
     return settings;
 }
 
+constexpr std::string_view cannot_be_done = "cannot be done: ";
+
 /// The total of a run in a process of its own, or why there is none.
 processes::Task run_of(LoadedConfig const& loaded) {
     return {[loaded]() -> std::string {
@@ -49,7 +52,7 @@ processes::Task run_of(LoadedConfig const& loaded) {
             RunStatistics const run = simulate(own);
             return run.deadlocked() ? "deadlock" : grouped(run.total_cycles);
         } catch (std::exception const& error) {
-            return error.what();
+            return std::string(cannot_be_done) + error.what();
         }
     }};
 }
@@ -69,13 +72,18 @@ std::string table_of(schedule::Schedule const& schedule, std::string const& vers
     return table;
 }
 
+/// Throws InputError if the scheduled run cannot be done.
 std::string totals_of(LoadedConfig const& assumed, LoadedConfig const& scheduled) {
     processes::SignalWatch const watch;
     std::vector<processes::Outcome> const runs = processes::run_all({run_of(assumed), run_of(scheduled)}, 2, watch);
-    auto const total = [](processes::Outcome const& run) {
-        return run.kind == processes::Outcome::Kind::done ? run.output : "no result";
+    auto const total = [&runs](std::size_t run) {
+        return runs[run].kind == processes::Outcome::Kind::done
+                   ? runs[run].output
+                   : std::string(cannot_be_done) + "its process has no result";
     };
-    return fmt::format("Total cycles\n  assumed    {}\n  scheduled  {}\n", total(runs[0]), total(runs[1]));
+    if (total(1).rfind(cannot_be_done, 0) == 0)
+        throw InputError("the scheduled run " + total(1));
+    return fmt::format("Total cycles\n  assumed    {}\n  scheduled  {}\n", total(0), total(1));
 }
 
 /// Loops whose ports or dependences demand more here than the tool has given them.

@@ -8,6 +8,7 @@
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
 #include "dataflow/run/config/key_names.hpp"
+#include "dataflow/run/config/key_ranges.hpp"
 
 namespace dataflow::schedule {
 
@@ -28,11 +29,15 @@ class Scheduler {
                 used_.insert(loop);
                 add(number, *loop);
             }
+        for (std::size_t const number : fifos_of(machine_)) {
+            add_stage(number, true);
+            add_stage(number, false);
+        }
         for (ReportFifo const& fifo : report_.fifos)
             add(fifo);
         for (ReportLoop const& loop : report_.loops)
             if (used_.count(&loop) == 0 && !loop.is_around_others)
-                result_.without.push_back(loop.full_name() + " of the report: no loop of the design");
+                leave(loop.full_name() + " of the report: no loop of the design");
         return std::move(result_);
     }
 
@@ -41,12 +46,15 @@ class Scheduler {
         std::vector<std::string> loops;
         std::vector<std::string> reported;
         std::vector<std::string> fifos;
+        std::vector<std::string> reported_fifos;
         for (std::size_t const number : loops_of(machine_))
             loops.push_back(machine_.loop_name(number));
         for (ReportLoop const& loop : report_.loops)
             reported.push_back(loop.full_name());
         for (std::size_t const number : fifos_of(machine_))
             fifos.push_back(machine_.fifos[number].name);
+        for (ReportFifo const& fifo : report_.fifos)
+            reported_fifos.push_back(fifo.name);
         auto const require = [](std::string const& name, std::string const& what, auto const& known) {
             if (std::find(known.begin(), known.end(), name) == known.end())
                 throw InputError("--map: " + name + " is not there, expected a " + what + did_you_mean(name, known));
@@ -54,13 +62,28 @@ class Scheduler {
         for (auto const& [ours, theirs] : names_.loops) {
             require(ours, "loop of the design", loops);
             require(theirs, "loop of the report", reported);
+            if (std::count(reported.begin(), reported.end(), theirs) > 1)
+                throw InputError("--map: " + theirs + " is several loops of the report, expected one");
         }
-        for (auto const& [ours, theirs] : names_.fifos)
+        for (auto const& [ours, theirs] : names_.fifos) {
             require(ours, "FIFO of the design", fifos);
+            require(theirs, "FIFO of the report", reported_fifos);
+        }
     }
 
-    static bool is_of(ReportLoop const& loop, std::string const& module) {
-        return loop.module == module || loop.module.rfind(module + "_", 0) == 0;
+    /// The process with the longest name that the module's is, or begins with.
+    bool is_of(ReportLoop const& loop, std::string const& process) const {
+        auto const fits = [&loop](std::string const& name) {
+            return loop.module == name || loop.module.rfind(name + "_", 0) == 0;
+        };
+        return fits(process) &&
+               std::none_of(machine_.processes.begin(), machine_.processes.end(), [&](MachineProcess const& other) {
+                   return other.name.size() > process.size() && fits(other.name);
+               });
+    }
+    bool is_mapped(ReportLoop const& loop) const {
+        return std::any_of(names_.loops.begin(), names_.loops.end(),
+                           [&loop](auto const& pair) { return pair.second == loop.full_name(); });
     }
 
     ReportLoop const* counterpart(std::size_t number) {
@@ -72,7 +95,7 @@ class Scheduler {
         for (ReportLoop const& one : report_.loops) {
             if (mapped != names_.loops.end() && one.full_name() == mapped->second)
                 return &one;
-            if (!is_of(one, process.name) || one.is_around_others)
+            if (!is_of(one, process.name) || one.is_around_others || is_mapped(one))
                 continue;
             of_module.push_back(&one);
             if (one.name == loop.name)
@@ -80,17 +103,23 @@ class Scheduler {
         }
         if (same_name.size() == 1)
             return same_name.front();
-        if (same_name.empty() && of_module.size() == 1 && process.loops.size() == 1)
+        bool const is_only = same_name.empty() && process.loops.size() == 1;
+        if (is_only && of_module.size() == 1)
             return of_module.front();
-        result_.without.push_back(machine_.loop_name(number) +
-                                  (same_name.empty() ? " of the design: no loop of the report"
-                                                     : " of the design: several loops of the report") +
-                                  ", expected a line in --map");
+        bool const are_several = same_name.size() > 1 || (is_only && of_module.size() > 1);
+        leave(machine_.loop_name(number) + " of the design: " + (are_several ? "several loops" : "no loop") +
+              " of the report, expected a line in --map");
         return nullptr;
     }
 
+    void leave(std::string line) { result_.without.push_back(std::move(line)); }
     void set(std::string key, std::uint64_t assumed, std::uint64_t scheduled, std::string source) {
         result_.keys.push_back({std::move(key), assumed, scheduled, std::move(source)});
+    }
+    static void require_in(IntegerRange const& range, std::uint64_t value, std::string const& place,
+                           std::string const& what) {
+        if (!accepts(range, static_cast<std::int64_t>(value)))
+            throw InputError(fmt::format("{}: {} = {}, expected {} to {}", place, what, value, range.min, range.max));
     }
 
     void add(std::size_t number, ReportLoop const& of_report) {
@@ -98,54 +127,97 @@ class Scheduler {
         bool const is_pipelined = of_report.ii.has_value();
         std::optional<std::uint64_t> const length = is_pipelined ? of_report.depth : of_report.iteration_latency;
         if (!length || *length == 0 || (is_pipelined && (*of_report.ii == 0 || !loop.is_pipelined))) {
-            result_.without.push_back(of_report.full_name() + " of the report: " +
-                                      (is_pipelined && !loop.is_pipelined ? "pipelined, which the design's is not"
-                                                                          : "no interval or depth that it knows"));
+            leave(of_report.full_name() + " of the report: " +
+                  (is_pipelined && !loop.is_pipelined ? "pipelined, which the design's is not"
+                                                      : "no interval or depth that it knows"));
             return;
         }
-        auto const key = [&](char const* field) { return loop_key_name(loop.timed_by, field); };
-        if (!loop.is_pipelined) {
-            set(key("states"), loop.depth, *length, of_report.full_name() + " IterationLatency");
+        std::uint64_t const ii = is_pipelined ? *of_report.ii : *length;
+        char const* const ii_source = is_pipelined ? "PipelineII" : "IterationLatency";
+        char const* const source = is_pipelined ? "PipelineDepth" : "IterationLatency";
+        require_in(cycles_range, ii, of_report.place, ii_source + (" of " + of_report.full_name()));
+        require_in(cycles_range, *length, of_report.place, source + (" of " + of_report.full_name()));
+        std::string const remark = loop.is_pipelined && !is_pipelined ? ", not pipelined" : "";
+        auto const set_field = [&](char const* field, std::uint64_t assumed, std::uint64_t value, char const* element) {
+            set(loop_key_name(loop.timed_by, field), assumed, value, of_report.full_name() + " " + element + remark);
+        };
+        if (loop.is_pipelined) {
+            set_field("ii", loop.interval.target, ii, ii_source);
+            set_field("depth", loop.depth, *length, source);
         } else {
-            char const* const source = is_pipelined ? " PipelineII" : " IterationLatency, not pipelined";
-            set(key("ii"), loop.interval.target, is_pipelined ? *of_report.ii : *length,
-                of_report.full_name() + source);
-            set(key("depth"), loop.depth, *length, of_report.full_name() + (is_pipelined ? " PipelineDepth" : source));
+            set_field("states", loop.depth, *length, source);
         }
-        add_stages(loop, *length);
+        scheduled_[number] = {ii, *length};
     }
 
-    void add_stages(MachineLoop const& loop, std::uint64_t length) {
-        for (std::size_t const number : loop.writes) {
-            MachineFifo const& fifo = machine_.fifos[number];
-            bool const was_last = fifo.write_latency + 1 == loop.depth;
-            if (was_last || fifo.write_latency >= length)
-                set(fifo_key_name(fifo.name, "write_latency"), fifo.write_latency, length - 1,
-                    "assumed: the last stage");
+    /// A write that was in the last stage stays there, a stage beyond it becomes the last.
+    void add_stage(std::size_t number, bool writes) {
+        MachineFifo const& fifo = machine_.fifos[number];
+        std::optional<Cycles> before;
+        std::optional<Cycles> after;
+        bool is_scheduled = false;
+        for (std::size_t const i : loops_of(machine_)) {
+            MachineLoop const& loop = machine_.loops[i];
+            std::vector<std::size_t> const& fifos = writes ? loop.writes : loop.reads;
+            if (std::find(fifos.begin(), fifos.end(), number) == fifos.end())
+                continue;
+            Lengths const assumed{loop.interval.target, loop.depth};
+            auto const found = scheduled_.find(i);
+            is_scheduled = is_scheduled || found != scheduled_.end();
+            bool const is_early = writes && loop.is_pipelined && !loop.reads.empty() && attempts_to_write(number);
+            auto const last = [is_early](Lengths const& of) {
+                return (is_early ? std::min(of.ii, of.depth) : of.depth) - 1;
+            };
+            before = std::min(before.value_or(last(assumed)), last(assumed));
+            Lengths const& now = found != scheduled_.end() ? found->second : assumed;
+            after = std::min(after.value_or(last(now)), last(now));
         }
-        for (std::size_t const number : loop.reads) {
-            MachineFifo const& fifo = machine_.fifos[number];
-            if (fifo.read_stage >= length)
-                set(fifo_key_name(fifo.name, "read_stage"), fifo.read_stage, length - 1, "assumed: the last stage");
-        }
+        Cycles const stage = writes ? fifo.write_latency : fifo.read_stage;
+        if (is_scheduled && ((writes && stage == *before) || stage > *after))
+            set(fifo_key_name(fifo.name, writes ? "write_latency" : "read_stage"), stage, *after,
+                "assumed: the last stage");
+    }
+    /// What its loop reads before has to wait for what it finds (docs/hls.md#accesses-that-do-not-wait).
+    bool attempts_to_write(std::size_t fifo) const {
+        std::vector<MachineEnd> const& ends = machine_.processes[machine_.fifos[fifo].writer].ends;
+        return std::any_of(ends.begin(), ends.end(), [fifo](MachineEnd const& end) {
+            return end.fifo == fifo && end.writes && end.makes_attempts;
+        });
     }
 
     void add(ReportFifo const& of_report) {
+        MachineFifo const* const fifo = counterpart(of_report);
+        if (fifo == nullptr)
+            return leave(of_report.name + " of the report: no FIFO of the design");
+        if (std::count_if(report_.fifos.begin(), report_.fifos.end(),
+                          [&](ReportFifo const& other) { return other.name == of_report.name; }) > 1)
+            return leave(fmt::format("{} of the report, of depth {}: another FIFO of the report has its name",
+                                     of_report.name, of_report.depth));
+        if (of_report.depth == 0)
+            return leave(of_report.name + " of the report: no depth that it knows");
+        require_in(fifo_depth_range, of_report.depth, of_report.place, "DEPTH of " + of_report.name);
+        set(fifo_key_name(fifo->name, "depth"), fifo->depth, of_report.depth, of_report.name);
+    }
+    MachineFifo const* counterpart(ReportFifo const& of_report) const {
         for (std::size_t const number : fifos_of(machine_)) {
             MachineFifo const& fifo = machine_.fifos[number];
             auto const mapped = names_.fifos.find(fifo.name);
-            if (of_report.depth > 0 && of_report.name == (mapped == names_.fifos.end() ? fifo.name : mapped->second)) {
-                set(fifo_key_name(fifo.name, "depth"), fifo.depth, of_report.depth, of_report.name);
-                return;
-            }
+            if (of_report.name == (mapped == names_.fifos.end() ? fifo.name : mapped->second))
+                return &fifo;
         }
-        result_.without.push_back(of_report.name + " of the report: no FIFO of the design");
+        return nullptr;
     }
+
+    struct Lengths {
+        Cycles ii = 1;
+        Cycles depth = 1;
+    };
 
     Machine const& machine_;
     SynthesisReport const& report_;
     NameMap const& names_;
     std::set<ReportLoop const*> used_;
+    std::map<std::size_t, Lengths> scheduled_;  ///< by loop of the design
     Schedule result_;
 };
 

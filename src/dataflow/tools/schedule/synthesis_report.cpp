@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstring>
 #include <pugixml.hpp>
+#include <tuple>
 
 #include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
@@ -36,12 +37,20 @@ class ReportReader {
 
   private:
     [[noreturn]] void fail(std::size_t line, std::string const& found, std::string const& expected) const {
-        throw InputError(name_ + ":" + std::to_string(line) + ": " + found + ", expected " + expected);
+        throw InputError(place(line) + ": " + found + ", expected " + expected);
     }
+    std::string place(std::size_t line) const { return name_ + ":" + std::to_string(line); }
+    std::string place_of(pugi::xml_node const& node) const { return place(line_of(node.offset_debug())); }
+    /// Counts on from where it was asked last: a report may have many loops.
     std::size_t line_of(std::ptrdiff_t offset) const {
-        std::size_t const end = std::min(text_.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, offset)));
-        return 1 + static_cast<std::size_t>(
-                       std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+        auto const end = std::min(text_.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, offset)));
+        if (end < counted_to_) {
+            counted_to_ = 0;
+            line_ = 1;
+        }
+        line_ += static_cast<std::size_t>(std::count(text_.data() + counted_to_, text_.data() + end, '\n'));
+        counted_to_ = end;
+        return line_;
     }
     std::uint64_t whole_number(pugi::xml_node const& at, std::string const& what, std::string_view digits) const {
         std::uint64_t value = 0;
@@ -82,6 +91,7 @@ class ReportReader {
             fail(line_of(node.offset_debug()), "a loop in more than 100 others", "fewer");
         ReportLoop loop;
         loop.module = module;
+        loop.place = place_of(node);
         loop.name = node.child("Name") ? trimmed(node.child_value("Name")) : node.name();
         loop.ii = number(node, "PipelineII");
         loop.depth = number(node, "PipelineDepth");
@@ -101,8 +111,8 @@ class ReportReader {
             pugi::xml_node const node = found.node();
             std::string const depth = trimmed(node.attribute("DEPTH").value());
             if (!depth.empty())
-                report_.fifos.push_back(
-                    {node.attribute("VARIABLE").value(), whole_number(node, "DEPTH of a BindNode", depth)});
+                report_.fifos.push_back({node.attribute("VARIABLE").value(),
+                                         whole_number(node, "DEPTH of a BindNode", depth), place_of(node)});
         }
     }
 
@@ -110,12 +120,20 @@ class ReportReader {
     std::string_view text_;
     pugi::xml_document document_;
     SynthesisReport report_;
+    mutable std::size_t counted_to_ = 0;  ///< in the text
+    mutable std::size_t line_ = 1;        ///< there
 };
 
-template <class Part, class IsSame>
-void add_new(std::vector<Part>& all, std::vector<Part> const& more, IsSame is_same) {
+auto figures_of(ReportLoop const& loop) {
+    return std::tie(loop.module, loop.name, loop.ii, loop.depth, loop.iteration_latency, loop.trip_count,
+                    loop.is_around_others);
+}
+auto figures_of(ReportFifo const& fifo) { return std::tie(fifo.name, fifo.depth); }
+
+template <class Part> void add_new(std::vector<Part>& all, std::vector<Part> const& more) {
     for (Part const& one : more)
-        if (std::none_of(all.begin(), all.end(), [&](Part const& other) { return is_same(one, other); }))
+        if (std::none_of(all.begin(), all.end(),
+                         [&](Part const& other) { return figures_of(one) == figures_of(other); }))
             all.push_back(one);
 }
 
@@ -131,9 +149,8 @@ SynthesisReport read_synthesis_reports(std::vector<std::string> const& files) {
         SynthesisReport const one =
             parse_synthesis_report(file, io::read_file(file, "a synthesis report", most_report_bytes));
         all.version = one.version;
-        add_new(all.loops, one.loops,
-                [](ReportLoop const& a, ReportLoop const& b) { return a.full_name() == b.full_name(); });
-        add_new(all.fifos, one.fifos, [](ReportFifo const& a, ReportFifo const& b) { return a.name == b.name; });
+        add_new(all.loops, one.loops);
+        add_new(all.fifos, one.fifos);
     }
     if (all.loops.empty())
         throw InputError(files.front() +

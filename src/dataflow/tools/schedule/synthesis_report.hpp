@@ -17,6 +17,7 @@ struct ReportLoop {
     std::optional<std::uint64_t> iteration_latency;  ///< of a loop that is not pipelined
     std::optional<std::uint64_t> trip_count;
     bool is_around_others = false;
+    std::string place;  ///< FILE:LINE
 
     std::string full_name() const { return module + '.' + name; }
 };
@@ -24,6 +25,7 @@ struct ReportLoop {
 struct ReportFifo {
     std::string name;  ///< of the variable
     std::uint64_t depth = 0;
+    std::string place;  ///< FILE:LINE
 };
 
 /// csynth.xml and MODULE_csynth.xml, as Vivado HLS and Vitis HLS write them.
@@ -36,7 +38,7 @@ struct SynthesisReport {
 /// `name`: of the file, for messages. Errors: InputError that names file, element, what was found and expected.
 SynthesisReport parse_synthesis_report(std::string const& name, std::string_view text);
 
-/// Several reports of one design as one: what two of them say is there once.
+/// Several reports of one design as one: what several say in equal figures is there once.
 SynthesisReport read_synthesis_reports(std::vector<std::string> const& files);
 
 }  // namespace dataflow::schedule

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "dataflow/base/files/atomic_folder.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
@@ -65,6 +66,17 @@ TEST_CASE("A place where no file can be written is an input error", "[output_fil
                Catch::Contains("/proc/none/report.html: cannot be written"));
     CHECK_THAT(input_error_text([] { OutputFile("/dev/null"); }), Catch::Contains("/dev/null: is no regular file"));
     CHECK_THAT(input_error_text([] { OutputFile(""); }), Catch::Contains("names no file"));
+}
+
+/// Its link leads to no path.
+TEST_CASE("A pipe that is a link of /proc is no regular file, and no folder", "[output_file]") {
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    std::string const pipe = "/proc/self/fd/" + std::to_string(ends[1]);
+    CHECK_THAT(input_error_text([&] { OutputFile{pipe}; }), Catch::Contains(pipe + ": is no regular file"));
+    CHECK_THAT(input_error_text([&] { AtomicFolder(pipe, {}); }), Catch::Contains(pipe + ": is a file, expected a"));
+    ::close(ends[0]);
+    ::close(ends[1]);
 }
 
 TEST_CASE("What is too long to be held is written bit by bit, and what stops it leaves nothing", "[output_file]") {

@@ -130,6 +130,7 @@ AtomicFolder::AtomicFolder(fs::path const& target, FolderKind kind) : target_(ta
     if (target_.empty())
         throw InputError("the name of the output folder is empty, expected a path");
     try {
+        require_folder(target_);  // before its links are followed, as OutputFile
         destination_ = resolved(target_);
         require_place();
         bring_back_older(destination_, kind_);
@@ -177,11 +178,15 @@ void AtomicFolder::require_place() const {
         fail("is the current folder or one above it, expected a folder of its own: it is replaced as a whole");
 }
 
+void AtomicFolder::require_folder(fs::path const& place) const {
+    if (fs::exists(place) && !fs::is_directory(place))
+        fail("is a file, expected a folder to write a " + kind_.name + " into");
+}
+
 void AtomicFolder::require_replaceable() const {
+    require_folder(destination_);
     if (!fs::exists(destination_))
         return;
-    if (!fs::is_directory(destination_))
-        fail("is a file, expected a folder to write a " + kind_.name + " into");
     if (fs::is_empty(destination_) || kind_.is_kind_of(destination_))
         return;
     bool const has_marker = !kind_.format.empty() && fs::exists(destination_ / kind_.marker);

@@ -37,6 +37,7 @@ class AtomicFolder {
 
   private:
     void require_place() const;
+    void require_folder(std::filesystem::path const& place) const;
     void require_replaceable() const;
     bool try_to_appear() const;
     bool try_to_replace() const;

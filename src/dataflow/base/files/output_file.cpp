@@ -53,12 +53,12 @@ bool is_device(fs::path const& file) {
 OutputFile::OutputFile(fs::path const& target) : target_(without_hidden_names(target)) {
     if (!target_.has_filename())
         throw InputError("\"" + target_.string() + "\" names no file, expected a path to write to");
+    if (is_device(target))  // before its links are followed: that of /dev/stdout may lead to no path
+        fail(target_, "is no regular file, expected a new file or one to replace");
     try {
         destination_ = fs::weakly_canonical(fs::absolute(target));
         if (fs::is_directory(destination_))
             fail(target_, "is a folder, expected a file to write");
-        if (is_device(destination_))
-            fail(target_, "is no regular file, expected a new file or one to replace");
         Scratch const probe(destination_, Scratch::Kind::file);
     } catch (fs::filesystem_error const& error) {
         fail_to_write(target_, error.code().message());

@@ -9,6 +9,7 @@
 
 #include "dataflow/core/machine/core_of.hpp"
 #include "dataflow/core/machine/machine.hpp"
+#include "dataflow/run/config/keys.hpp"
 #include "dataflow/run/config/simple_design.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
@@ -126,7 +127,8 @@ TEST_CASE("a loop or a memory that is named and not described is told by name", 
 
 class Storing : public SimpleDesign {
   public:
-    explicit Storing(std::vector<std::string> ports) : SimpleDesign({"storing", {}, {}}), ports_(std::move(ports)) {}
+    explicit Storing(std::vector<std::string> ports, std::vector<DesignNumber> numbers = {})
+        : SimpleDesign({"storing", std::move(numbers), {}}), ports_(std::move(ports)) {}
 
   private:
     CoreDescription describe(Numbers const& /*numbers*/) const override {
@@ -154,6 +156,15 @@ TEST_CASE("a design with a port to the external memory has the keys of the memor
         }) ==
         "module writer stores log by a port to the memory, and has another one for out, expected one, and a module for "
         "each other");
+}
+
+TEST_CASE("a number of a design has no name of another key", "[machine]") {
+    for (char const* const name : {"workload.samples", "accelerator.cores", "accelerator.clock_mhz"})
+        CHECK_THAT(input_error_text([name] {
+                       require_named_once(Storing({}, {{name, 1, "One."}}).keys());
+                   }),
+                   Contains(std::string("in the design two keys have the name ") + name + ", expected another name"));
+    CHECK_NOTHROW(require_named_once(Storing({}, {{"workload.rows", 1, "One."}}).keys()));
 }
 
 TEST_CASE("names are words that keys can have", "[machine]") {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
+#include <set>
 #include <utility>
 
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
 #include "dataflow/run/config/design.hpp"
 #include "dataflow/run/config/key_builders.hpp"
@@ -27,6 +29,7 @@ Keys make_all_keys() {
     for (Key& key : simulation_keys()) {
         all.push_back(std::move(key));
     }
+    require_named_once(all);
     return all;
 }
 
@@ -96,6 +99,14 @@ template <class Chosen> Keys active_keys(RunConfig const& config, Chosen const& 
 }
 
 }  // namespace
+
+void require_named_once(Keys const& keys) {
+    std::set<std::string> names;
+    for (Key const& key : keys)
+        if (!names.insert(key.name()).second)
+            throw InputError("in the design two keys have the name " + key.name() +
+                             ", expected another name for the number of its own");
+}
 
 Keys const& all_keys() {
     static Keys const all = make_all_keys();

@@ -13,6 +13,9 @@ using Keys = std::vector<Key>;
 /// Every configuration key, once, in the order of the documentation. Keys of one section stand together.
 Keys const& all_keys();
 
+/// A number of a design's own may not be named as a key that is there anyway. Errors: InputError
+void require_named_once(Keys const& keys);
+
 /// Those that decide how long a run takes and nothing else, and that change by steps of one: depths and latencies of
 /// FIFOs, initiation intervals and depths of loops, ports of block RAMs. All are integers. Without those that mean
 /// nothing in `config`.

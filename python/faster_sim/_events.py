@@ -1,7 +1,6 @@
 """Recorded runs, re-timed."""
 
 import json
-import math
 import os
 import re
 import tempfile
@@ -104,14 +103,10 @@ class Events:
                    jobs: int = 0, progress: Optional[Progress] = None) -> dict[str, Any]:
         """The cheapest FIFO depths with which the run takes at most so much longer than with unbounded ones
         (sizing.json)."""
-        within = float(within_percent)
-        if not (math.isfinite(within) and 0 <= within <= 1_000_000):
-            raise InputError(f"within_percent = {within_percent}, expected a number from 0 to 1000000")
-        for name, number, most in (("front_points", front_points, 1000), ("jobs", jobs, 1024)):
-            if not 0 <= number <= most:
-                raise InputError(f"{name} = {number}, expected a whole number from 0 to {most}")
-        return dict(json.loads(self._retimer.size_fifos(_values.overrides(values), within, int(front_points), int(jobs),
-                                                        progress)))
+        within = _values.number("within_percent", within_percent, 1_000_000)
+        points = int(_values.number("front_points", front_points, 1000, whole=True))
+        processes = int(_values.number("jobs", jobs, 1024, whole=True))
+        return dict(json.loads(self._retimer.size_fifos(_values.overrides(values), within, points, processes, progress)))
 
 
 class _InProcess:

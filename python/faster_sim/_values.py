@@ -3,6 +3,7 @@
 import json
 import os
 import re
+from numbers import Real
 from typing import Iterable, Mapping
 
 import numpy
@@ -34,6 +35,14 @@ def words(more: Mapping[str, object]) -> list[str]:
     return said
 
 
+def number(name: str, value: object, most: int, whole: bool = False) -> float:
+    """An argument that is one, from 0 on. A text or a truth value is none."""
+    is_one = isinstance(value, Real) and not isinstance(value, bool) and 0 <= value <= most
+    if is_one and (not whole or float(value).is_integer()):  # type: ignore[arg-type]
+        return float(value)  # type: ignore[arg-type]
+    raise InputError(f"{name} = {value!r}, expected a {'whole ' if whole else ''}number from 0 to {most}")
+
+
 def as_yaml(value: object) -> str:
     """NumPy's scalars are as Python's, its arrays as lists; a number that is whole is written as one."""
     if isinstance(value, numpy.ndarray):
@@ -62,7 +71,9 @@ def _is_key(name: str) -> bool:
     return "." in name or "__" in name
 
 
-def _key(name: str) -> str:
+def _key(name: object) -> str:
+    if not isinstance(name, str):
+        raise InputError(f"{name!r} is of type {type(name).__name__}, expected the name of a key")
     return name.replace("__", ".")
 
 

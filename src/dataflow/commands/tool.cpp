@@ -77,7 +77,7 @@ class Tool {
         } catch (CLI::ParseError const& error) {
             int const code = error.get_exit_code();
             if (code != 0)
-                throw InputError(fmt::format("{} (see {} --help)", error.what(), text_.name));
+                throw InputError(fmt::format("{} (see {} --help)", error.what(), name_with_command(app)));
             app.exit(error);  // --help, --version
             return [] { return exit_done; };
         }
@@ -88,6 +88,11 @@ class Tool {
         require_words(command);
         made_by().command = command_text(command);
         return actions[chosen];
+    }
+
+    std::string name_with_command(CLI::App const& app) const {
+        std::vector<CLI::App*> const chosen = app.get_subcommands();
+        return chosen.empty() ? text_.name : text_.name + " " + chosen.front()->get_name();
     }
 
     /// The parser would only say that some subcommand is missing.

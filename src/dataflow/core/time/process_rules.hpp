@@ -50,8 +50,12 @@ template <class Process, class Port> class ProcessRules {
     bool finished() const { return log_.exhausted() && !state_.flushing.is_waiting(); }
     bool flushes() const { return shape_->flushing_stages > 0; }
     bool in_loop() const { return state_.in_loop; }
-    /// In an iteration whose steps are not all over.
-    bool is_in_iteration() const { return state_.in_loop && state_.pipeline.open && !drains(); }
+    /// In an iteration that has begun, with its first step, and whose steps are not all over.
+    bool is_in_iteration() const {
+        PipelinePosition const& pipeline = state_.pipeline;
+        return state_.in_loop && pipeline.open && pipeline.counts && pipeline.phase > 0;
+    }
+    bool rests() const { return state_.rests; }
     bool drains() const {
         return state_.rests || (!log_.exhausted() && log_.begin()->kind() == Operation::Kind::leave);
     }
@@ -524,12 +528,11 @@ template <class Process, class Port> class ProcessRules {
     }
     void open_iteration(Ports::Number ports, bool is_counted) {
         PipelinePosition& pipeline = state_.pipeline;
-        if (is_counted)
-            self().iterates(state_.iterations, 1);
         bool const is_like_last = pipeline.iteration > 0 && state_.delayed(1) == ports;
         pipeline.alike = is_like_last ? pipeline.alike + 1 : 1;
         state_.delayed(0) = ports;
         pipeline.open = true;
+        pipeline.counts = is_counted;
         pipeline.phase = 0;
         pipeline.offset = 0;
     }
@@ -545,6 +548,8 @@ template <class Process, class Port> class ProcessRules {
             Ports const step = ports_in(phase);
             if (!step.is_empty() && !perform(step.number()))
                 return false;
+            if (pipeline.phase == 0 && pipeline.counts)
+                self().iterates(state_.iterations, 1);
         }
         return true;
     }

@@ -13,6 +13,7 @@ namespace dataflow::timing {
 struct PipelinePosition {
     std::uint64_t iteration = 0;
     bool open = false;           ///< inside an iteration
+    bool counts = false;         ///< which the module has told of; otherwise, it only lets the last ones drain
     std::size_t phase = 0;       ///< the one at hand
     Cycles offset = 0;           ///< steps since the iteration's first
     std::uint32_t gap_left = 0;  ///< silent iterations behind one with accesses

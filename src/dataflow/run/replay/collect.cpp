@@ -19,7 +19,7 @@ FifoStatistics fifo_statistics(MachineFifo const& fifo, timing::FifoTiming const
     row.reads = timing.reads();
     row.full_stall_cycles = timing.full_stall_cycles();
     row.empty_stall_cycles = timing.empty_stall_cycles();
-    row.max_occupancy = timing.final_max_occupancy();
+    row.max_occupancy = std::min(timing.final_max_occupancy(), row.capacity);  // others wait in its pipeline
     return row;
 }
 

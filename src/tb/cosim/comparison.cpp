@@ -273,13 +273,14 @@ recording::Spools RecentTokens::spools_of(Machine const& machine) const {
             if (token.read)
                 events[machine.fifos[fifo].reader].push_back(access(Kind::read, fifo, *token.read));
         }
-    recording::Spools spools(events.size());
+    recording::Spools spools;
+    spools.processes.resize(events.size());
     for (std::size_t process = 0; process < events.size(); ++process) {
         std::stable_sort(events[process].begin(), events[process].end(),
                          [](auto const& a, auto const& b) { return a.cycle < b.cycle; });
         for (recording::Event const& event : events[process])
-            spools[process].put(event);
-        spools[process].rewind();
+            spools.processes[process].put(event);
+        spools.processes[process].rewind();
     }
     return spools;
 }

@@ -5,11 +5,11 @@ namespace dataflow {
 std::vector<Cycles> sample_begins(Machine const& machine, timing::CoreTiming const& core) {
     if (machine.begins != machine.ends)
         return core.processes()[machine.begins].stamps();
+    timing::ProcessTiming const& process = core.processes()[machine.begins];
     std::vector<Cycles> begins;
-    if (core.processes()[machine.begins].has_accessed() || !sample_ends(machine, core).empty())
+    if (process.has_accessed() || !process.stamps().empty())
         begins.push_back(0);
-    for (Cycles const end : sample_ends(machine, core))
-        begins.push_back(end + 1);
+    begins.insert(begins.end(), process.next_calls().begin(), process.next_calls().end());
     return begins;
 }
 

@@ -7,7 +7,7 @@
 
 namespace dataflow {
 
-/// When the samples of a core began. One process alone begins a sample where it has ended the one before.
+/// When the samples of a core began. One process alone begins a sample with its next call.
 std::vector<Cycles> sample_begins(Machine const& machine, timing::CoreTiming const& core);
 /// When those that are done ended: their last cycles.
 std::vector<Cycles> const& sample_ends(Machine const& machine, timing::CoreTiming const& core);

@@ -134,7 +134,7 @@ template <class Process, class Port> class ProcessRules {
     /// again.
     bool take() {
         Operation const operation = log_.whole_front();
-        if (state_.rests && !goes_on_with(operation))
+        if (state_.rests && !shape_->goes_on_with(operation, state_.loop))
             return leave();
         switch (operation.kind()) {
             case Kind::wait:
@@ -465,12 +465,6 @@ template <class Process, class Port> class ProcessRules {
         pass(plan_->fill);
         mark_loop(Region::Part::iterations);
         begin_pipeline();
-    }
-
-    /// What is told between two calls of a process that is one loop, which rewinds, and takes no time.
-    bool goes_on_with(Operation const& operation) const {
-        return operation.kind() == Kind::stamp || (operation.is_call_start() && !shape_->call_start.is_in_turn) ||
-               (operation.kind() == Kind::enter && operation.count() == state_.loop);
     }
 
     /// Lets the last tokens out, then moves to the end of the loop's last stage.

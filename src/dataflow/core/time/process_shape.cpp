@@ -65,6 +65,11 @@ std::optional<Cycles> LoopPlan::step_of(unsigned port) const {
     return std::nullopt;
 }
 
+bool ProcessShape::goes_on_with(Operation const& operation, unsigned loop) const {
+    return operation.kind() == Operation::Kind::stamp || (operation.is_call_start() && !call_start.is_in_turn) ||
+           (operation.kind() == Operation::Kind::enter && operation.count() == loop);
+}
+
 ProcessShape ProcessShape::fed(unsigned stream_port) const {
     ProcessShape shape = *this;
     shape.plans.clear();

@@ -7,6 +7,7 @@
 
 #include "dataflow/base/cycles.hpp"
 #include "dataflow/core/time/initiation_interval.hpp"
+#include "dataflow/core/time/operation.hpp"
 
 namespace dataflow::timing {
 
@@ -97,6 +98,8 @@ struct ProcessShape {
     Cycles flushing_stages = 0;  ///< of its FlushingPipeline; 0: it has none
     unsigned flushing_port = 0;  ///< by which tokens leave that
 
+    /// What is told between two calls of a process that is one loop, which rewinds, and takes no time.
+    bool goes_on_with(Operation const& operation, unsigned loop) const;
     /// That of a process which finds whatever it takes from memory, at a port, there.
     ProcessShape fed(unsigned stream_port) const;
 };

@@ -271,11 +271,13 @@ void ProcessTiming::left() {
 
 void ProcessTiming::stamped() {
     // At rest, the next iteration would begin so many steps before its first access.
-    Cycles const time = !state_.rests                     ? state_.time
-                        : shape_->call_start.ends_samples ? state_.time + static_cast<Cycles>(plan_->drain)
-                                                          : state_.time - plan_->fill;
+    Cycles const begin = state_.rests ? state_.time - plan_->fill : state_.time;
+    Cycles const end = state_.rests ? state_.time + static_cast<Cycles>(plan_->drain) : state_.time;
+    Cycles const time = shape_->call_start.ends_samples ? end : begin;
     Cycles const cycle = time - std::min(time, shape_->stamps_back);
     figures_.stamps.push_back(cycle);
+    if (shape_->call_start.ends_samples)
+        figures_.next_calls.push_back(state_.rests ? begin : cycle + 1);
     if (observer_ != nullptr)
         observer_->stamped(*this, cycle);
 }

@@ -61,6 +61,7 @@ struct ProcessFigures {
     std::uint64_t loops_entered = 0;
     std::vector<LoopCounters> loops;
     std::vector<Cycles> stamps;
+    std::vector<Cycles> next_calls;  ///< by stamp, where they end samples: when the next call of the process begins
     /// What it waited for last, some of which may lie beyond the end of the run, and up to when. A ring.
     struct Wait {
         unsigned port = 0;
@@ -83,6 +84,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     using Rules::in_loop;
     using Rules::is_in_iteration;
     using Rules::long_count;
+    using Rules::rests;
     static constexpr unsigned most_accesses = Rules::most_in_run;  ///< of an iteration of an aligned loop
 
     enum class Status { exhausted, blocked, ready };
@@ -186,6 +188,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     /// When the process reached the step it is at: its local time, but for the waiting it has been charged with since.
     Cycles waiting_since() const { return state_.time == charged_until_ ? arrival_ : state_.time; }
     std::vector<Cycles> const& stamps() const { return figures_.stamps; }
+    std::vector<Cycles> const& next_calls() const { return figures_.next_calls; }
     Cycles empty_stall_cycles() const { return figures_.empty_stall_cycles; }
     Cycles full_stall_cycles() const { return figures_.full_stall_cycles; }
     Cycles memory_stall_cycles() const { return figures_.memory_stall_cycles; }

@@ -8,22 +8,23 @@ using Kind = Event::Kind;
 using timing::ProcessTiming;
 
 CoreCapture::CoreCapture(Machine const& machine, timing::CoreTiming& core, std::vector<TokenTap> const& taps,
-                         std::size_t first_sample, std::uint64_t tokens_in_use, Spools& spools)
-    : core_(core),
+                         CoreShare share, std::uint64_t tokens_in_use, Spools& spools)
+    : machine_(machine),
+      core_(core),
       taps_(taps),
-      first_sample_(first_sample),
+      share_(share),
       tokens_in_use_(tokens_in_use),
       spools_(spools),
       late_(core.processes().size()) {
-    number_parts(machine);
+    number_parts();
     take_down_state();
     for (std::size_t i = 0; i < core.processes().size(); ++i)
         core.process(i).set_observer(this);
 }
 
 /// A process numbers its ports and loops from 0 on.
-void CoreCapture::number_parts(Machine const& machine) {
-    writers_.resize(machine.fifos.size());
+void CoreCapture::number_parts() {
+    writers_.resize(machine_.fifos.size());
     for (ProcessTiming const& process : core_.processes()) {
         std::vector<std::uint32_t>& fifos = fifos_at_.emplace_back();
         for (unsigned port = 0; port < process.port_count(); ++port) {
@@ -33,7 +34,7 @@ void CoreCapture::number_parts(Machine const& machine) {
         }
         std::vector<std::uint32_t>& loops = loops_at_.emplace_back();
         for (timing::LoopShape const& loop : process.loops())
-            loops.push_back(static_cast<std::uint32_t>(machine.loop(process.index(), loop.name)));
+            loops.push_back(static_cast<std::uint32_t>(machine_.loop(process.index(), loop.name)));
     }
 }
 
@@ -41,7 +42,20 @@ void CoreCapture::take_down_state() {
     for (ProcessTiming const& process : core_.processes()) {
         take_down_past(process);
         take_down_loop(process);
+        take_down_samples(process);
     }
+}
+
+/// Of stamps, the last, and those before it that are still to come: a loop that rewinds tells them ahead.
+void CoreCapture::take_down_samples(ProcessTiming const& process) {
+    std::vector<Cycles> const& stamps = process.stamps();
+    if (stamps.empty() && machine_.begins == machine_.ends && process.index() == machine_.begins)
+        put_sample(Event::Kind::begin, 0, 0);
+    std::size_t stamp = stamps.size();
+    while (stamp > 0 && (stamp == stamps.size() || stamps[stamp - 1] >= process.local_time()))
+        --stamp;
+    for (; stamp < stamps.size(); ++stamp)
+        put_stamp(process, stamp);
 }
 
 /// The iteration that began last can be seen until a loop is entered again.
@@ -79,17 +93,13 @@ std::vector<CoreCapture::PastEvent> CoreCapture::past_accesses(ProcessTiming con
     return accesses;
 }
 
-/// Tokens, and the last stamp, in the order of their cycles.
+/// Tokens in the order of their cycles.
 void CoreCapture::take_down_past(ProcessTiming const& process) {
     std::vector<PastEvent> events = past_accesses(process);
-    if (!process.stamps().empty())
-        events.push_back({process.stamps().back(), Kind::stamp, 0, 0});
     std::stable_sort(events.begin(), events.end(),
                      [](PastEvent const& a, PastEvent const& b) { return a.cycle < b.cycle; });
     for (PastEvent const& event : events)
-        if (event.kind == Kind::stamp)
-            stamped(process, event.cycle);
-        else if (event.kind == Kind::read)
+        if (event.kind == Kind::read)
             put_read(process, event.fifo, event.cycle);
         else if (process.flushes() && event.cycle >= process.local_time())
             put_late(process, event.fifo, event.number, process.due(event.cycle), event.cycle);
@@ -113,7 +123,7 @@ void CoreCapture::put(ProcessTiming const& process, Event const& event) {
 
 void CoreCapture::spool(std::size_t process, Event const& event) {
     if (event.cycle <= last_)
-        spools_[process].put(event);
+        spools_.processes[process].put(event);
 }
 
 /// What was told ahead of time and happens before a cycle, or in it.
@@ -228,15 +238,31 @@ void CoreCapture::put_late(ProcessTiming const& process, std::uint32_t fifo, std
     late.insert(late.end(), token.begin(), token.end());
 }
 
-void CoreCapture::stamped(ProcessTiming const& process, Cycles cycle) {
+void CoreCapture::stamped(ProcessTiming const& process, Cycles /*cycle*/) {
+    put_stamp(process, process.stamps().size() - 1);
+}
+
+void CoreCapture::put_stamp(ProcessTiming const& process, std::size_t stamp) {
+    bool const ends = process.index() == machine_.ends;
+    if (ends)
+        put_sample(Kind::end, stamp, process.stamps()[stamp]);
+    if (process.index() != machine_.begins)
+        return;
+    if (ends)
+        put_sample(Kind::begin, stamp + 1, process.next_calls()[stamp]);
+    else
+        put_sample(Kind::begin, stamp, process.stamps()[stamp]);
+}
+
+/// After its last sample, a process begins none.
+void CoreCapture::put_sample(Event::Kind kind, std::size_t sample, Cycles cycle) {
+    if (sample >= share_.count || cycle > last_)
+        return;
     Event event;
     event.cycle = cycle;
-    event.kind = Kind::stamp;
-    event.value = static_cast<std::int64_t>(first_sample_ + process.stamps().size() - 1);
-    if (cycle > process.local_time())  // of a loop that rewinds: the next call's iterations come before it
-        late_[process.index()].push_back(event);
-    else
-        put(process, event);
+    event.kind = kind;
+    event.value = static_cast<std::int64_t>(share_.first + sample);
+    (kind == Kind::begin ? spools_.begins : spools_.ends).put(event);
 }
 
 }  // namespace dataflow::recording

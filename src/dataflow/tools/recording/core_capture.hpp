@@ -2,6 +2,7 @@
 #include <deque>
 #include <vector>
 
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/core/machine/machine.hpp"
 #include "dataflow/core/time/core_timing.hpp"
 #include "dataflow/tools/recording/event_spool.hpp"
@@ -14,9 +15,9 @@ class CoreCapture : public timing::StepObserver {
   public:
     /// Observes `core` from where it stands. What can be seen of that comes first, as events up to its local times: the
     /// last stamps, the loops and their iterations, the tokens in its FIFOs. `taps`: by FIFO; they still hold the last
-    /// `tokens_in_use` tokens that have been read. `spools`: as many as processes.
-    CoreCapture(Machine const& machine, timing::CoreTiming& core, std::vector<TokenTap> const& taps,
-                std::size_t first_sample, std::uint64_t tokens_in_use, Spools& spools);
+    /// `tokens_in_use` tokens that have been read. `spools`: of as many processes. `share`: its samples.
+    CoreCapture(Machine const& machine, timing::CoreTiming& core, std::vector<TokenTap> const& taps, CoreShare share,
+                std::uint64_t tokens_in_use, Spools& spools);
 
     /// Events after this cycle are not wanted.
     void set_end(Cycles last) { last_ = last; }
@@ -42,14 +43,17 @@ class CoreCapture : public timing::StepObserver {
     std::vector<Event> write_of(std::uint32_t fifo, std::uint64_t number, Cycles cycle) const;
     void put_write(timing::ProcessTiming const& process, std::uint32_t fifo, std::uint64_t number, Cycles cycle);
     void put_read(timing::ProcessTiming const& process, std::uint32_t fifo, Cycles cycle);
-    void number_parts(Machine const& machine);
+    void put_stamp(timing::ProcessTiming const& process, std::size_t stamp);
+    void put_sample(Event::Kind kind, std::size_t sample, Cycles cycle);
+    void number_parts();
     void take_down_state();
+    void take_down_samples(timing::ProcessTiming const& process);
     void take_down_loop(timing::ProcessTiming const& process);
     /// What happened before, and can still be seen.
     struct PastEvent {
         Cycles cycle;
-        Event::Kind kind;      ///< read, write or stamp
-        std::uint32_t fifo;    ///< of an access
+        Event::Kind kind;  ///< read or write
+        std::uint32_t fifo;
         std::uint64_t number;  ///< of its token
     };
     std::vector<PastEvent> past_accesses(timing::ProcessTiming const& process) const;
@@ -58,9 +62,10 @@ class CoreCapture : public timing::StepObserver {
         return fifos_at_[process.index()][port];
     }
 
+    Machine const& machine_;
     timing::CoreTiming& core_;
     std::vector<TokenTap> const& taps_;
-    std::size_t first_sample_;
+    CoreShare share_;
     std::uint64_t tokens_in_use_;
     Spools& spools_;
     Cycles last_ = ~Cycles{0};

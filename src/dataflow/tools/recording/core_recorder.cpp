@@ -14,10 +14,11 @@ Cycles latest_of(timing::CoreTiming const& timing) {
         latest = std::max(latest, process.local_time());
     return latest;
 }
+/// Nothing more happens before.
 Cycles earliest_of(timing::CoreTiming const& timing) {
     Cycles earliest = ~Cycles{0};
     for (timing::ProcessTiming const& process : timing.processes())
-        earliest = std::min(earliest, process.local_time());
+        earliest = std::min(earliest, process.not_before());
     return earliest;
 }
 
@@ -25,13 +26,17 @@ Cycles earliest_of(timing::CoreTiming const& timing) {
 
 using timing::Operation;
 
-namespace {
-bool enters(Operation const& operation) { return operation.kind() == Operation::Kind::enter; }
-}  // namespace
+bool ToldLoops::Entries::take(Operation const& operation, timing::ProcessShape const& shape) {
+    bool const enters = operation.kind() == Operation::Kind::enter;
+    bool const goes_on = rests && shape.goes_on_with(operation, loop);
+    rests = operation.kind() == Operation::Kind::leave ? shape.loops[loop].rewinds : goes_on && !enters;
+    loop = enters ? operation.count() : loop;
+    return enters && !goes_on;
+}
 
-void ToldLoops::take(timing::OperationLog const& told) {
-    std::for_each(told.begin(), told.begin() + told.pending(), [this](Operation const& operation) {
-        if (enters(operation))
+void ToldLoops::take(timing::OperationLog const& told, timing::ProcessShape const& shape) {
+    std::for_each(told.begin(), told.begin() + told.pending(), [this, &shape](Operation const& operation) {
+        if (entries_.take(operation, shape))
             at_entries_.push_back(iterations_);
         iterations_ += operation.iterations();
     });
@@ -40,7 +45,10 @@ void ToldLoops::take(timing::OperationLog const& told) {
 /// Loops that it has told of and not entered yet are in its log.
 std::uint64_t ToldLoops::done_in_loop(timing::ProcessTiming const& process) {
     timing::OperationLog const& log = process.log();
-    auto const to_come = static_cast<std::size_t>(std::count_if(log.begin(), log.begin() + log.pending(), enters));
+    Entries entries{process.current_loop(), process.rests()};
+    auto const to_come = static_cast<std::size_t>(
+        std::count_if(log.begin(), log.begin() + log.pending(),
+                      [&](Operation const& operation) { return entries.take(operation, *process.shape()); }));
     while (at_entries_.size() > to_come + 1)
         at_entries_.pop_front();
     return at_entries_.size() > to_come ? process.all_iterations() - at_entries_.front() : 0;
@@ -62,8 +70,8 @@ CoreRecorder::CoreRecorder(RunningCore& core, RecordingWindow const& window) : c
     if (phase_ == Phase::done)
         return;
     core.timing().keep_logs();
-    spools_.resize(core.timing().processes().size());
-    told_loops_.resize(spools_.size());
+    spools_.processes.resize(core.timing().processes().size());
+    told_loops_.resize(spools_.processes.size());
     for (std::size_t fifo = 0; fifo < core.machine().fifos.size(); ++fifo)
         taps_.emplace_back(core.token_fields(fifo));
     for (std::size_t fifo = 0; fifo < taps_.size(); ++fifo)
@@ -129,7 +137,7 @@ void CoreRecorder::make_checkpoint() {
     for (std::size_t i = 0; i < told_loops_.size(); ++i) {
         timing::ProcessTiming& process = checkpoint.timing->process(i);
         if (taped_to_ != nullptr)
-            told_loops_[i].take(taped_to_->logs[i]);
+            told_loops_[i].take(taped_to_->logs[i], *process.shape());
         process.set_iterations(told_loops_[i].done_in_loop(process));
     }
     checkpoint.settled_from = taped_to_ == nullptr ? 0 : latest_of(*checkpoint.timing) + settling_cycles();
@@ -172,8 +180,8 @@ Cycles CoreRecorder::earliest_from() const {
 void CoreRecorder::start() {
     phase_ = Phase::recording;
     detail_ = std::move(checkpoints_.front().timing);
-    capture_ = std::make_unique<CoreCapture>(core_.machine(), *detail_, taps_, core_.share().first,
-                                             core_.tokens_in_use(), spools_);
+    capture_ =
+        std::make_unique<CoreCapture>(core_.machine(), *detail_, taps_, core_.share(), core_.tokens_in_use(), spools_);
     feed();
 }
 
@@ -218,8 +226,7 @@ void CoreRecorder::finish() {
     }
     if (phase_ != Phase::done)
         stop();
-    for (EventSpool& spool : spools_)
-        spool.rewind();
+    spools_.each([](std::size_t /*process*/, EventSpool& spool) { spool.rewind(); });
 }
 
 void CoreRecorder::stop() {

@@ -126,8 +126,11 @@ void CoreSignals::take(CoreEvent const& core_event) {
         case Kind::write:
             take_write(core_event);
             break;
-        case Kind::stamp:
-            take_stamp(core_event);
+        case Kind::begin:
+            take_sample(started_, start_, event);
+            break;
+        case Kind::end:
+            take_sample(ended_, end_, event);
             break;
         case Kind::field:
             break;
@@ -159,15 +162,10 @@ void CoreSignals::take_read(CoreEvent const& event) {
     show_occupancy(fifo);
 }
 
-void CoreSignals::take_stamp(CoreEvent const& event) {
-    if (event.process == machine_.begins) {
-        waveform_.set(started_, event.event.value);
-        waveform_.pulse(start_);
-    }
-    if (event.process == machine_.ends) {
-        waveform_.set(ended_, event.event.value);
-        waveform_.pulse(end_);
-    }
+void CoreSignals::take_sample(Waveform::Signal number, Waveform::Signal pulse, Event const& event) {
+    set(number, event.value);
+    if (pulse != hidden)
+        waveform_.pulse(pulse);
 }
 
 void CoreSignals::show_accesses(std::vector<PortAccess> const& accesses) {

@@ -51,7 +51,7 @@ class CoreSignals {
     void show_accesses(std::vector<PortAccess> const& accesses);
     void take_write(CoreEvent const& event);
     void take_read(CoreEvent const& event);
-    void take_stamp(CoreEvent const& event);
+    void take_sample(Waveform::Signal number, Waveform::Signal pulse, Event const& event);
 
     Waveform& waveform_;
     RecordedCore const& core_;

@@ -42,7 +42,7 @@ class TimelineMaker {
     void close(Open& open, Cycles end);
     TimelineSpan::Kind kind_of_stall(std::size_t module, std::size_t item) const;
     void take_stall(std::size_t module, Event const& event);
-    void take_stamp(std::size_t module, Event const& event);
+    void take_sample(Event const& event);
     void change_occupancy(std::size_t fifo, Cycles cycle, int change);
 
     RecordedCore const& core_;
@@ -89,8 +89,9 @@ void TimelineMaker::take(CoreEvent const& core_event) {
         case Kind::write:
             change_occupancy(event.item, event.cycle, 1);
             break;
-        case Kind::stamp:
-            take_stamp(module, event);
+        case Kind::begin:
+        case Kind::end:
+            take_sample(event);
             break;
         case Kind::resume:
         case Kind::field:
@@ -122,14 +123,14 @@ void TimelineMaker::take_stall(std::size_t module, Event const& event) {
     open.span.count += begin < end ? end - begin : 0;
 }
 
-void TimelineMaker::take_stamp(std::size_t module, Event const& event) {
+void TimelineMaker::take_sample(Event const& event) {
     auto const sample = static_cast<std::size_t>(event.value);
     if (!is_in_window(event.cycle))
         return;
-    if (module == machine_.begins)
+    if (event.kind == Kind::begin) {
         timeline_.samples.push_back({sample, event.cycle, core_.to + 1, false});
-    if (module != machine_.ends)
         return;
+    }
     for (CoreTimeline::Sample& begun : timeline_.samples)
         if (begun.sample == sample)
             begun = {sample, begun.begin, event.cycle + 1, true};

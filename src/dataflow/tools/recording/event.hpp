@@ -18,13 +18,14 @@ struct Event {
         read,          ///< a token from FIFO `item`
         write,         ///< a token into FIFO `item`; `value` is its first field, further fields follow
         field,         ///< a further field of the token just written
-        stamp,         ///< the begin or end of sample number `value`
+        begin,         ///< of sample number `value`
+        end,           ///< of sample number `value`
     };
     Cycles cycle = 0;
     std::int64_t value = 0;
     std::uint64_t count = 0;
     std::uint32_t stride = 0;
-    Kind kind = Kind::stamp;
+    Kind kind = Kind::read;
     std::uint32_t item = 0;
 };
 

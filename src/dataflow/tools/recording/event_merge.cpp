@@ -89,8 +89,9 @@ void for_each_event(std::vector<std::pair<std::size_t, Spools*>> const& cores,
                     std::function<void(CoreEvent const&)> const& visit) {
     std::vector<std::unique_ptr<Source>> sources;
     for (auto const& [core, spools] : cores)
-        for (std::size_t process = 0; process < spools->size(); ++process)
-            sources.push_back(std::make_unique<Source>(core, process, (*spools)[process]));
+        spools->each([&, core = core](std::size_t process, EventSpool& spool) {
+            sources.push_back(std::make_unique<Source>(core, process, spool));
+        });
     TokenValues fields{};
     CoreEvent event;
     for (;;) {

@@ -30,7 +30,7 @@ class EventStream {
 /// An event, and whose it is. A write has all fields of its token.
 struct CoreEvent {
     std::size_t core = 0;
-    std::size_t process = 0;
+    std::size_t process = 0;  ///< of none: 0
     Event event;
     TokenValues const* fields = nullptr;  ///< of a write; valid during the call
 };

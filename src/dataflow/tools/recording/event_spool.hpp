@@ -46,7 +46,17 @@ class EventSpool {
     std::vector<std::uint8_t> last_;  ///< put after the last spill
 };
 
-/// Those of a core, by process.
-using Spools = std::vector<EventSpool>;
+/// Those of a core. Samples begin and end in cycles of their own, before or after what their processes do meanwhile.
+struct Spools {
+    std::vector<EventSpool> processes;
+    EventSpool begins, ends;  ///< of samples
+
+    template <class Visit> void each(Visit visit) {
+        for (std::size_t process = 0; process < processes.size(); ++process)
+            visit(process, processes[process]);
+        visit(0, begins);
+        visit(0, ends);
+    }
+};
 
 }  // namespace dataflow::recording

@@ -66,14 +66,14 @@ class Reader final : public SampleModule {
 /// A writer that is stuck before it writes what the reader waits for: tokens that its module has long told of.
 class TwoWaits final : public DataflowCore {
   public:
-    TwoWaits(sc_core::sc_module_name const& name, std::shared_ptr<Machine const> const& machine, CoreShare share,
+    TwoWaits(char const* name, std::shared_ptr<Machine const> const& machine, CoreShare share,
              TimeBase const& time_base, Reader::Work const& reads)
         : DataflowCore(name, machine, share, time_base) {
         for (MachineFifo const& fifo : machine->fifos)
             make_fifo<Token>(fifo.name);
         writer_ = std::make_unique<Reader>("writer", *this, [](ProcessClock& clock, DataflowCore& core) {
-            for (char const* const fifo : {"full", "full", "full", "one", "other"}) {
-                core.fifo<Token>(fifo).write(1);
+            for (char const* const name : {"full", "full", "full", "one", "other"}) {
+                core.fifo<Token>(name).write(1);
                 clock.advance(1);
             }
         });
@@ -84,43 +84,29 @@ class TwoWaits final : public DataflowCore {
     std::unique_ptr<Reader> writer_, reader_;
 };
 
-std::string found_awaited(Engine engine, bool is_retimed, Reader::Work const& reads) {
-    ModuleDescription writer("writer"), reader("reader");
-    for (char const* const name : {"full", "one", "other"}) {
-        writer.writes_to(name).of_bits(32);
-        reader.reads_from(name).taken("both", 0);
-    }
-    reader.loop("both").of_depth(2);
-    MachineSettings with_room;
-    with_room.fifo("full").depth = 8;
-    Machine const stuck = make_machine(core_of({writer, reader}), {});
-    auto const machine =
-        std::make_shared<Machine const>(is_retimed ? make_machine(core_of({writer, reader}), with_room) : stuck);
-    DataflowAccelerator accelerator(
-        "accelerator", machine, 1, engine,
-        [&](char const* name, std::shared_ptr<Machine const> const& of, CoreShare share, TimeBase const& time_base) {
-            return std::make_unique<TwoWaits>(name, of, share, time_base, reads);
-        });
-    replay::RecordedRun recorded;
-    SimulationOptions options;
-    options.recorded = is_retimed ? &recorded : nullptr;
-    RunStatistics run = simulate(accelerator, options);
-    if (is_retimed)
-        run = replay::retime(recorded, stuck);
-    for (StuckProcess const& process : run.stuck)
-        if (process.process == "reader")
-            return process.fifo;
-    return "nobody";
-}
-
-/// The FIFO that the reader waits for.
 std::string awaited_by_reader(Engine engine, bool is_retimed, Reader::Work const& reads) {
-    return testing::forked_bytes([&]() -> std::string {
-        try {
-            return found_awaited(engine, is_retimed, reads);
-        } catch (std::exception const& error) {
-            return error.what();
+    return testing::forked_bytes([&] {
+        ModuleDescription writer("writer"), reader("reader");
+        for (char const* const name : {"full", "one", "other"}) {
+            writer.writes_to(name).of_bits(32);
+            reader.reads_from(name).taken("both", 0);
         }
+        reader.loop("both").of_depth(2);
+        auto const machine = std::make_shared<Machine const>(make_machine(core_of({writer, reader}), {}));
+        DataflowAccelerator accelerator(
+            "accelerator", machine, 1, engine,
+            [&](char const* name, std::shared_ptr<Machine const> const& of, CoreShare share,
+                TimeBase const& time_base) { return std::make_unique<TwoWaits>(name, of, share, time_base, reads); });
+        replay::RecordedRun recorded;
+        SimulationOptions options;
+        options.recorded = is_retimed ? &recorded : nullptr;
+        RunStatistics run = simulate(accelerator, options);
+        if (is_retimed)
+            run = replay::retime(recorded, *machine);
+        for (StuckProcess const& stuck : run.stuck)
+            if (stuck.process == "reader")
+                return stuck.fifo;
+        return std::string("nobody");
     });
 }
 

@@ -67,13 +67,6 @@ void ProcessClock::access_closely(timing::Ports port) {
         tell_behind_attempt(port);
 }
 
-/// What a loop has read before need not be looked at again.
-void ProcessClock::note_read(unsigned loop, timing::Ports port) {
-    timing_.note_read(loop, port.first());
-    SoundAccesses& sound = sound_by_loop_[loop];
-    sound.first_reads |= sound.may_be_first & port.number();
-}
-
 /// An iteration, or a step, does one thing at a port at most. Which ports a loop accesses decides when it does so.
 void ProcessClock::require_once(timing::Ports port) const {
     unsigned const number = port.first();
@@ -126,7 +119,7 @@ ProcessClock::SoundAccesses ProcessClock::sound_accesses_of(timing::LoopShape co
     for (unsigned port = 0; port < fifos_.size(); ++port) {
         std::uint32_t const bit = timing::Ports::of(port).number();
         sound.accesses |= is_named_by(loop, port) ? bit : 0;
-        sound.may_be_first |= fifos_[port]->timing().shape().read_stage <= first_stage(loop) ? bit : 0;
+        sound.first_reads |= fifos_[port]->timing().shape().read_stage <= first_stage(loop) ? bit : 0;
     }
     return sound;
 }

@@ -58,8 +58,6 @@ class ProcessClock {
     /// Errors: InputError if an iteration that accesses `others` may not access `port` as well: it is one of them, or
     /// the loop does not name it.
     void require_access(unsigned loop, timing::Ports others, timing::Ports port) const;
-    /// Iterations of a loop read a FIFO, behind those that were noted before.
-    void note_read(unsigned loop, timing::Ports port);
     /// The next iteration to be told waits for the writes of others that it must not overtake: those that its loop's
     /// WriteDistances have met in the iteration at hand there, or in the one before it. pipeline() and TokenLoop say so
     /// for theirs.
@@ -351,13 +349,8 @@ class ProcessClock {
             access_closely(port);  // which refuses it
         if (!collecting_)
             return;
-        if (is_pipelining_) {
+        if (is_pipelining_)
             require_first_stage(fifo);
-            note_read(pipelined_, port);
-            sound_.first_reads = sound_by_loop_[pipelined_].first_reads;
-        } else {
-            timing_.note_read(static_cast<unsigned>(timing_.loops().size()), port.first());
-        }
         taken_ = taken_ | port;
     }
     /// Suspends the calling thread until the FIFO's other side may have done something; what for is told to deadlock
@@ -477,9 +470,8 @@ class ProcessClock {
     /// What an iteration of a loop may do without being looked at closely, as masks of ports. None is set where a port
     /// has no mask, nor in a loop that makes attempts.
     struct SoundAccesses {
-        std::uint32_t accesses = 0;      ///< if there is one of the port
-        std::uint32_t may_be_first = 0;  ///< read by plain ports
-        std::uint32_t first_reads = 0;   ///< of those, what an iteration has read before
+        std::uint32_t accesses = 0;     ///< if there is one of the port
+        std::uint32_t first_reads = 0;  ///< by plain ports
     };
     SoundAccesses sound_accesses_of(timing::LoopShape const& loop) const;
     std::vector<SoundAccesses> sound_by_loop_;

@@ -97,9 +97,6 @@ void Taping::note_sites() {
             for (unsigned i = 0; i < process.loops().size(); ++i)
                 if (noted.loop_site(i).line == 0)
                     noted.note_loop_site(i, process.loop_site(i));
-            for (unsigned i = 0; i <= process.loops().size(); ++i)
-                for (unsigned const port : process.reads_in_order(i))
-                    noted.note_read(i, port);
             for (unsigned i = 0; i < process.port_count(); ++i)
                 if (noted.port_site(i).line == 0 && writer_.step_ports(process.index()).has(i))
                     noted.note_site(i, process.port_site(i));

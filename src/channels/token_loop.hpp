@@ -67,10 +67,7 @@ template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...
         in_ = {in...};
         out_ = {out...};
         ports_ = timing::no_ports;
-        each_of(in_, [this](auto& fifo) {
-            add(fifo.read_port());
-            clock_->note_read(loop_, fifo.read_port());
-        });
+        each_of(in_, [this](auto& fifo) { add(fifo.read_port()); });
         each_of(out_, [this](auto& fifo) { add(fifo.write_port()); });
     }
     /// What iterations access besides: the external memory.

@@ -11,7 +11,6 @@ ProcessTiming::ProcessTiming(std::string name, unsigned index, std::shared_ptr<P
     : Rules(std::move(shape), index), name_(std::move(name)) {
     figures_.loops.resize(loops().size());
     loop_sites_.resize(loops().size());
-    reads_in_order_.resize(loops().size() + 1);
 }
 
 unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
@@ -40,7 +39,6 @@ unsigned ProcessTiming::add_loop(LoopShape shape) {
     shape_->loops.push_back(std::move(shape));
     figures_.loops.emplace_back();
     loop_sites_.emplace_back();
-    reads_in_order_.emplace_back();
     return static_cast<unsigned>(loops().size() - 1);
 }
 
@@ -94,26 +92,13 @@ ProcessTiming::Status ProcessTiming::front() {
     return log_.exhausted() ? Status::exhausted : status_;
 }
 
-void ProcessTiming::note_read(unsigned loop, unsigned port) {
-    std::vector<unsigned>& order = reads_in_order_[loop];
-    if (std::find(order.begin(), order.end(), port) == order.end())
-        order.push_back(port);
-}
-
-/// Among the ports that a step reads; those of which no order is known come last, by their numbers.
-std::size_t ProcessTiming::rank_of(unsigned port) const {
-    std::vector<unsigned> const& order = reads_in_order_[in_loop() ? state_.loop : loops().size()];
-    auto const found = std::find(order.begin(), order.end(), port);
-    return static_cast<std::size_t>(found - order.begin()) + (found == order.end() ? port : 0);
-}
-
 unsigned ProcessTiming::missing_port() const {
     bool const is_late = !log_.exhausted() && log_.begin()->is_choice() && log_.begin()->ports() != 0;
     if (flushes() || is_late || ports_[blocking_port_].fifo->is_memory())
         return blocking_port_;
     unsigned missing = blocking_port_;
     step_at_hand().each([&](unsigned port) {
-        bool const is_nearer = writes(missing) != writes(port) ? writes(missing) : rank_of(port) < rank_of(missing);
+        bool const is_nearer = writes(missing) != writes(port) ? writes(missing) : port < missing;
         if (ports_[port].end.known() == 0 && is_nearer)
             missing = port;
     });
@@ -123,8 +108,8 @@ unsigned ProcessTiming::missing_port() const {
 unsigned ProcessTiming::starved_port() const {
     auto starved = static_cast<unsigned>(starving_port_);
     starving_with_.each([&](unsigned port) {
-        if (ports_[port].end.known() == 0 && rank_of(port) < rank_of(starved))
-            starved = port;
+        if (ports_[port].end.known() == 0)
+            starved = std::min(starved, port);
     });
     return starved;
 }
@@ -303,7 +288,6 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
     figures_ = other.figures_;
     loop_sites_ = other.loop_sites_;
     port_sites_ = other.port_sites_;
-    reads_in_order_ = other.reads_in_order_;
     arrival_ = other.arrival_;
     charged_until_ = other.charged_until_;
     starving_port_ = other.starving_port_;

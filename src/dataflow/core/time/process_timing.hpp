@@ -248,10 +248,6 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     void note_loop_site(unsigned loop, SourceSite const& site) { loop_sites_[loop] = site; }
     void note_site(unsigned port, SourceSite const& site) { port_sites_[port].note(site); }
     SourceSite const& loop_site(unsigned loop) const { return loop_sites_[loop]; }
-    /// In which order the module reads in an iteration of a loop, or in a step (loop number loops().size()), as far as
-    /// it has done so: which FIFO it waits for of several.
-    void note_read(unsigned loop, unsigned port);
-    std::vector<unsigned> const& reads_in_order(unsigned loop) const { return reads_in_order_[loop]; }
     SourceSite port_site(unsigned port) const { return port_sites_[port].first(); }
     /// Of what the process is at, which waits for a port.
     SourceSite site_at_hand(unsigned port) const;
@@ -332,7 +328,6 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     void check_failures(Ports::Number ports);
     void deviates(unsigned port, Cycles cycle);
     void add_stall(ProcessPort const& port, Cycles stall);
-    std::size_t rank_of(unsigned port) const;
 
     std::string name_;
     std::vector<ProcessPort> ports_;
@@ -340,7 +335,6 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     bool is_taped_ = false;
     std::vector<OperationLog*> tapes_;
     std::vector<SourceSite> loop_sites_;
-    std::vector<std::vector<unsigned>> reads_in_order_{1};  ///< ports, by loop
     std::vector<AccessSites> port_sites_;
     MemoryStream* stream_ = nullptr;
     unsigned stream_port_ = 0;

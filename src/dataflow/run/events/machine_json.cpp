@@ -102,19 +102,8 @@ Json loops_json(timing::ProcessTiming const& process) {
     return loops;
 }
 
-/// By loop, and of steps.
-Json reads_in_order_json(timing::ProcessTiming const& process) {
-    Json reads = Json::array();
-    for (unsigned i = 0; i <= process.loops().size(); ++i)
-        reads.push_back(process.reads_in_order(i));
-    return reads;
-}
-
 Json process_json(timing::ProcessTiming const& process) {
-    return {{"process", process.name()},
-            {"ports", ports_json(process)},
-            {"loops", loops_json(process)},
-            {"reads_in_order", reads_in_order_json(process)}};
+    return {{"process", process.name()}, {"ports", ports_json(process)}, {"loops", loops_json(process)}};
 }
 
 /// Compares what a file says of a process's ports and loops with the machine's, and takes the places in the source.
@@ -129,8 +118,6 @@ class SiteReader {
             process.note_site(port, read_site(json.at("ports").at(port).at("source")));
         for (unsigned loop = 0; loop < process.loops().size(); ++loop)
             process.note_loop_site(loop, read_site(json.at("loops").at(loop).at("source")));
-        if (json.count("reads_in_order") > 0)
-            read_order(json.at("reads_in_order"), process);
     }
 
   private:
@@ -138,16 +125,7 @@ class SiteReader {
         for (char const* const parts : {"ports", "loops"})
             for (Json& part : process.at(parts))
                 part.erase("source");
-        process.erase("reads_in_order");
         return process;
-    }
-
-    static void read_order(Json const& json, timing::ProcessTiming& process) {
-        for (unsigned loop = 0; loop <= process.loops().size(); ++loop)
-            for (Json const& port : json.at(loop)) {
-                require(port.get<std::size_t>() < process.port_count());
-                process.note_read(loop, port.get<unsigned>());
-            }
     }
 
     SourceSite read_site(Json const& json) {

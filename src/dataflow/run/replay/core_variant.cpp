@@ -18,9 +18,6 @@ std::vector<std::size_t> streams_of(timing::CoreTiming const& blueprint, Machine
 void copy_sites(timing::ProcessTiming const& process, timing::ProcessTiming& variant) {
     for (unsigned loop = 0; loop < process.loops().size(); ++loop)
         variant.note_loop_site(loop, process.loop_site(loop));
-    for (unsigned loop = 0; loop <= process.loops().size(); ++loop)
-        for (unsigned const port : process.reads_in_order(loop))
-            variant.note_read(loop, port);
     for (unsigned port = 0; port < process.port_count(); ++port)
         variant.note_site(port, process.port_site(port));
 }

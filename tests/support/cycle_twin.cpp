@@ -478,6 +478,7 @@ class ProcessModel {
                 if (fifo(access).legal_from(access.kind) > cycle) {
                     fifo(access).count_stall(access.kind);
                     ++(access.kind == AccessKind::Write ? stats_.full_stall : stats_.empty_stall);
+                    (access.kind == AccessKind::Write ? stats_.full_stalls : stats_.empty_stalls).push_back(cycle);
                     return;
                 }
             }
@@ -719,6 +720,7 @@ class FlushingModel {
         if (stages_.back() && reciprocal_.legal_from(AccessKind::Write) > cycle) {
             reciprocal_.count_stall(AccessKind::Write);
             ++stats_.full_stall;
+            stats_.full_stalls.push_back(cycle);
             is_frozen_ = true;
             return;
         }
@@ -762,6 +764,7 @@ class FlushingModel {
         if (area_.legal_from(AccessKind::Read) > cycle) {
             area_.count_stall(AccessKind::Read);
             ++stats_.empty_stall;
+            stats_.empty_stalls.push_back(cycle);
             return false;
         }
         area_.access(AccessKind::Read, cycle);

@@ -40,6 +40,7 @@ struct TwinLoop {
 struct TwinProcess {
     Cycles empty_stall = 0;
     Cycles full_stall = 0;
+    std::vector<Cycles> empty_stalls, full_stalls;  ///< the cycles of these
     Cycles memory_stall = 0;
     Cycles end_cycle = 0;  ///< local time after its last state: the first cycle it has nothing to do in
 };

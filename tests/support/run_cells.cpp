@@ -74,9 +74,13 @@ void add_stalls(CellList& cells, ProcessStatistics const& process, Cycles) {
     cells.add("memory_stall", process[CycleClass::memory_stall]);
     cells.add("idle", process[CycleClass::idle_after]);
 }
+/// What is waited for may come when the run is over.
+Cycles in_run(std::vector<Cycles> const& stalls, Cycles total_cycles) {
+    return static_cast<Cycles>(std::lower_bound(stalls.begin(), stalls.end(), total_cycles) - stalls.begin());
+}
 void add_stalls(CellList& cells, TwinProcess const& process, Cycles total_cycles) {
-    cells.add("empty_stall", std::min(process.empty_stall, total_cycles));  // what is waited for may come later
-    cells.add("full_stall", process.full_stall);
+    cells.add("empty_stall", in_run(process.empty_stalls, total_cycles));
+    cells.add("full_stall", in_run(process.full_stalls, total_cycles));
     cells.add("memory_stall", process.memory_stall);
     cells.add("idle", total_cycles - std::min(process.end_cycle, total_cycles));
 }

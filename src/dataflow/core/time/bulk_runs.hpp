@@ -193,7 +193,6 @@ template <class Process, class Port> class BulkRuns : public ProcessRules<Proces
         }
 
         void end() {
-            process_.state_.time = time_;
             for (unsigned i = 0; i < N; ++i) {
                 Port const& port = set_[i];
                 std::uint64_t const accesses = accesses_of(i);
@@ -205,6 +204,7 @@ template <class Process, class Port> class BulkRuns : public ProcessRules<Proces
                 if (stalls_[i] > 0)
                     process_.self().charge(port, stalls_[i]);
             }
+            process_.state_.time = time_;  // after charge(), which would take it for the end of a wait
         }
 
       private:

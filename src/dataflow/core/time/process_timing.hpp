@@ -62,7 +62,8 @@ struct ProcessFigures {
     std::vector<LoopCounters> loops;
     std::vector<Cycles> stamps;
     std::vector<Cycles> next_calls;  ///< by stamp, where they end samples: when the next call of the process begins
-    /// What it waited for last, some of which may lie beyond the end of the run, and up to when. A ring.
+    /// What it waited for last, some of which may lie beyond the end of the run, and up to when, if that is known: not
+    /// in many iterations at once. A ring.
     struct Wait {
         unsigned port = 0;
         Cycles cycles = 0;

@@ -12,10 +12,8 @@ namespace dataflow::timing {
 class AccessSites {
   public:
     void note(SourceSite const& site) {
-        if (changes_.empty() || !(changes_.back().site == site))
-            changes_.push_back({told_, site});
-        if (changes_.size() > most)
-            changes_.pop_front();
+        if (told_ == 0 || !(site == last_))
+            change_to(site);
         ++told_;
     }
     /// Of the first access that is remembered.
@@ -35,7 +33,15 @@ class AccessSites {
         std::uint64_t from;  ///< accesses before it
         SourceSite site;
     };
+    void change_to(SourceSite const& site) {
+        last_ = site;
+        changes_.push_back({told_, site});
+        if (changes_.size() > most)
+            changes_.pop_front();
+    }
+
     std::deque<Change> changes_;
+    SourceSite last_;
     std::uint64_t told_ = 0;
 };
 

@@ -81,7 +81,7 @@ class CycleSorter {
         cut_off(process, process.end() - end - waited_beyond, row);
         if (row.sum() > end)  // it can only be iterations that wait for writes, of which nobody knows when they did
             row[CycleClass::recurrence] -= std::min(row[CycleClass::recurrence], row.sum() - end);
-        row[CycleClass::busy] = end - row.sum();
+        row[CycleClass::busy] = end - std::min(end, row.sum());
         row[CycleClass::idle_after] = total_cycles_ - end;
         return row;
     }

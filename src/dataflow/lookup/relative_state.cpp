@@ -31,7 +31,7 @@ void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycle
             make_legal(member, static_cast<unsigned>(__builtin_ctz(mask)), since);
     }
     p.state().time = since;
-    if (port != no_port)
+    if (port != no_port || arrival < since)  // no longer for the driver, but for the same as before
         p.waits_since(arrival);
 }
 

@@ -1,34 +1,10 @@
 #include "channels/sample_module.hpp"
 
-#include <exception>
-#include <new>
 #include <string>
 
-#include "dataflow/base/held_signals.hpp"
-#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/as_mistake.hpp"
 
 namespace dataflow {
-
-namespace {
-/// Of the exception at hand: itself, or the mistake of the design that it is where work() has thrown it.
-std::exception_ptr as_mistake(std::string const& module, std::size_t sample) {
-    auto const mistake = [&](std::string const& what) {
-        return std::make_exception_ptr(InputError("module " + module + " has thrown " + what + " in sample " +
-                                                  std::to_string(sample) + ", expected work() to return"));
-    };
-    try {
-        throw;
-    } catch (InputError const&) {
-    } catch (std::bad_alloc const&) {
-    } catch (processes::Interrupted const&) {
-    } catch (std::exception const& error) {
-        return mistake("\"" + std::string(error.what()) + "\"");
-    } catch (...) {
-        return mistake("what is no std::exception");
-    }
-    return std::current_exception();
-}
-}  // namespace
 
 SampleModule::SampleModule(sc_core::sc_module_name const& name, DataflowCore& core)
     : sc_module(name), clock_(core, basename()), core_(core) {
@@ -43,7 +19,11 @@ void SampleModule::run() {
     } catch (sc_core::sc_unwind_exception const&) {
         throw;  // the kernel ends the process
     } catch (...) {
-        core_.fail(clock_.timing().index(), as_mistake(clock_.timing().name(), sample_));
+        core_.fail(clock_.timing().index(), as_mistake([this](char const* what) {
+                       return "module " + clock_.timing().name() + " has thrown " +
+                              (what != nullptr ? "\"" + std::string(what) + "\"" : "what is no std::exception") +
+                              " in sample " + std::to_string(sample_) + ", expected work() to return";
+                   }));
     }
 }
 

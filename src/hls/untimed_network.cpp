@@ -3,10 +3,10 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <new>
 #include <thread>
 #include <utility>
 
+#include "dataflow/base/as_mistake.hpp"
 #include "dataflow/base/input_error.hpp"
 
 namespace dataflow::untimed {
@@ -31,19 +31,11 @@ void refuse_stranger(StreamBase const& stream) {
 }
 
 std::exception_ptr thrown_by(std::string const& process) {
-    try {
-        throw;
-    } catch (InputError const&) {
-        return std::current_exception();
-    } catch (std::bad_alloc const&) {
-        return std::current_exception();
-    } catch (std::exception const& error) {
-        return std::make_exception_ptr(
-            InputError("process " + process + " has thrown: " + error.what() + ", expected a function that returns"));
-    } catch (...) {
-        return std::make_exception_ptr(InputError("process " + process + " has thrown something that is no " +
-                                                  "std::exception, expected a function that returns"));
-    }
+    return as_mistake([&process](char const* what) {
+        return "process " + process + " has thrown" +
+               (what != nullptr ? ": " + std::string(what) : " something that is no std::exception") +
+               ", expected a function that returns";
+    });
 }
 
 /// Whose turn it is: that of a function, each of which has a thread, or that of the network.

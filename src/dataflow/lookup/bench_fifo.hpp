@@ -155,9 +155,10 @@ struct BenchFifo : FifoRules<BenchLine> {
         std::uint64_t const writes = free.consumed(), known = free.all_count() - free.appended();
         BenchLine::Cycle const* const freed = free.all();
         BenchLine::Cycle const* const written = readable.fresh();  // each readable read_latency later
-        std::uint64_t largest = writes > 0 ? 1 : 0;
+        std::uint64_t largest = writes > 0 && read_latency > 0 ? 1 : 0;
         // A write behind the last of those reads finds none of them behind it, nor does a later one: times never fall.
-        for (std::uint64_t w = 0; w < std::min(writes, known) && written[w] - read_latency + 1 < freed[known - 1]; ++w)
+        for (std::uint64_t w = 0;
+             w < std::min(writes, known) && written[w] - read_latency + later_than_read < freed[known - 1]; ++w)
             largest = raised_by_write(largest, written[w], known - w, [&](std::uint64_t i) { return freed[w + i]; });
         return largest;
     }
@@ -165,10 +166,10 @@ struct BenchFifo : FifoRules<BenchLine> {
     std::uint64_t largest_before_reads(std::uint64_t largest) const {
         std::uint64_t const reads = readable.consumed(), known = readable.all_count();
         BenchLine::Cycle const* const readable_from = readable.all();
-        BenchLine::Cycle const* const read = free.fresh();  // each a cycle later
+        BenchLine::Cycle const* const read = free.fresh();  // each later_than_read later
         for (std::uint64_t r = 0; r < reads && r + largest < known && largest < capacity; ++r)
-            largest =
-                raised_by_read(largest, read[r] - 1, known - r, [&](std::uint64_t i) { return readable_from[r + i]; });
+            largest = raised_by_read(largest, read[r] - later_than_read, known - r,
+                                     [&](std::uint64_t i) { return readable_from[r + i]; });
         return largest;
     }
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -20,7 +21,7 @@ class AccessSites {
     SourceSite first() const { return changes_.empty() ? SourceSite() : changes_.front().site; }
     /// Of the access that so many have been told of and not done from, itself included.
     SourceSite of(std::uint64_t pending) const {
-        std::uint64_t const access = told_ - (pending < told_ ? pending : told_);
+        std::uint64_t const access = told_ - std::min(pending, told_);
         for (std::size_t i = changes_.size(); i > 0; --i)
             if (changes_[i - 1].from <= access)
                 return changes_[i - 1].site;

@@ -1,0 +1,27 @@
+#pragma once
+#include <exception>
+#include <new>
+#include <string>
+
+#include "dataflow/base/held_signals.hpp"
+#include "dataflow/base/input_error.hpp"
+
+namespace dataflow {
+
+/// Of the exception at hand, which a user's code has thrown: itself, if it says what is wrong or ends the program;
+/// otherwise the mistake that it is. `say`: in a line, of the exception's what(), or of null if it has none.
+template <class Say> std::exception_ptr as_mistake(Say const& say) {
+    try {
+        throw;
+    } catch (InputError const&) {
+    } catch (std::bad_alloc const&) {
+    } catch (processes::Interrupted const&) {
+    } catch (std::exception const& error) {
+        return std::make_exception_ptr(InputError(say(error.what())));
+    } catch (...) {
+        return std::make_exception_ptr(InputError(say(static_cast<char const*>(nullptr))));
+    }
+    return std::current_exception();
+}
+
+}  // namespace dataflow

@@ -16,6 +16,10 @@ namespace dataflow::untimed {
 [[noreturn]] void refuse_size(StreamBase const& stream);
 [[noreturn]] void refuse_stranger(StreamBase const& stream);
 
+/// How an error ends that names what a design's functions do with its numbers alone, not with their defaults.
+inline constexpr char const* expected_defaults =
+    " with the defaults of the design's numbers, expected defaults that make it use all of its loops and streams";
+
 /// What a function of a design throws, as the InputError that names its process. In the handler of it.
 std::exception_ptr thrown_by(std::string const& process);
 

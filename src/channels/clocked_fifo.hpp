@@ -133,7 +133,7 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
 
   private:
     [[gnu::noinline]] void await_and_access() {
-        reader_->begins_read(*this, read_port_);
+        reader_->begins_read(read_port_);
         peek();
         reader_->access(read_port_);
     }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 
 #include "channels/dataflow_core.hpp"
 #include "channels/fifo_channel.hpp"
@@ -10,29 +9,17 @@ namespace dataflow {
 
 // Which accesses a step, or an iteration of a loop, may make.
 
-/// In which an iteration accesses anything that its loop names; never, if it names nothing.
-Cycles ProcessClock::first_stage(timing::LoopShape const& loop) {
-    Cycles first = std::numeric_limits<Cycles>::max();
-    for (timing::LoopRead const& read : loop.reads)
-        first = std::min(first, read.stage);
-    for (timing::LoopWrite const& write : loop.writes)
-        first = std::min(first, write.write_latency);
-    return first;
-}
-
-/// What is read when an iteration begins keeps the module from everything else that the iteration does.
-void ProcessClock::require_first_stage(FifoChannel const& fifo) const {
-    timing::LoopShape const& loop = timing_.loops()[pipelined_];
-    Cycles const stage = fifo.timing().shape().read_stage;
-    if (last_attempt_ && reached_ + step_of(fifo.read_port().first()) == *last_attempt_)
+/// What is read when an iteration begins keeps the module from everything else that the iteration does. Once that is
+/// found right, it need not be looked at again.
+void ProcessClock::require_first_stage(timing::Ports port) {
+    unsigned const number = port.first();
+    if (last_attempt_ && reached_ + step_of(number) == *last_attempt_)
         return;
-    Cycles const first = first_stage(loop);
-    if (first < stage)
-        throw InputError("loop " + timing_.name() + "." + loop.name + " reads " + fifo.timing().name() + " in stage " +
-                         std::to_string(stage) + ", behind other accesses of an iteration (stage " +
-                         std::to_string(first) + "), but its module reads it first of all, expected " +
-                         "accelerator.fifos." + fifo.timing().name() + ".read_stage of at most " +
-                         std::to_string(first) + ", or take_later() in the module");
+    timing_.require_first(pipelined_, number);
+    timing_.note_first_reads(pipelined_, port);
+    SoundAccesses& sound = sound_by_loop_[pipelined_];
+    sound.first_reads |= sound.accesses & port.number();
+    sound_ = sound;
 }
 
 /// A body that is called with tokens is ahead of time.
@@ -116,11 +103,9 @@ ProcessClock::SoundAccesses ProcessClock::sound_accesses_of(timing::LoopShape co
     SoundAccesses sound;
     if (loop.makes_attempts || fifos_.size() >= timing::Ports::in_masks)  // the memory may have a port besides
         return sound;
-    for (unsigned port = 0; port < fifos_.size(); ++port) {
-        std::uint32_t const bit = timing::Ports::of(port).number();
-        sound.accesses |= is_named_by(loop, port) ? bit : 0;
-        sound.first_reads |= fifos_[port]->timing().shape().read_stage <= first_stage(loop) ? bit : 0;
-    }
+    for (unsigned port = 0; port < fifos_.size(); ++port)
+        if (is_named_by(loop, port))
+            sound.accesses |= timing::Ports::of(port).number();
     return sound;
 }
 

@@ -344,13 +344,13 @@ class ProcessClock {
     Cycles local_time() const { return timing_.local_time(); }
 
     /// The calling thread is about to read a token of the FIFO. Errors: see pipeline().
-    void begins_read(FifoChannel const& fifo, timing::Ports port) {
+    void begins_read(timing::Ports port) {
         if (is_in_tokens_body_)
             access_closely(port);  // which refuses it
         if (!collecting_)
             return;
         if (is_pipelining_)
-            require_first_stage(fifo);
+            require_first_stage(port);
         taken_ = taken_ | port;
     }
     /// Suspends the calling thread until the FIFO's other side may have done something; what for is told to deadlock
@@ -417,11 +417,10 @@ class ProcessClock {
     void hand_over(FifoEnd::When when);
     bool is_memory(unsigned port) const { return uses_memory() && port == timing_.stream_port(); }
     static timing::Ports read_port_of(FifoChannel const& fifo);
-    void require_first_stage(FifoChannel const& fifo) const;
+    void require_first_stage(timing::Ports port);
     void require_once(timing::Ports port) const;
     [[noreturn]] void refuse_second(unsigned port) const;
     void require_named(unsigned loop, unsigned port) const;
-    static Cycles first_stage(timing::LoopShape const& loop);
     bool is_named_by(timing::LoopShape const& loop, unsigned port) const;
     bool is_pipelined(unsigned loop) const;
     bool is_left_out(unsigned loop, std::uint64_t count) const { return count == 0 && is_pipelined(loop); }
@@ -471,7 +470,7 @@ class ProcessClock {
     /// has no mask, nor in a loop that makes attempts.
     struct SoundAccesses {
         std::uint32_t accesses = 0;     ///< if there is one of the port
-        std::uint32_t first_reads = 0;  ///< by plain ports
+        std::uint32_t first_reads = 0;  ///< by plain ports, once found to be in the first stage
     };
     SoundAccesses sound_accesses_of(timing::LoopShape const& loop) const;
     std::vector<SoundAccesses> sound_by_loop_;

@@ -214,6 +214,28 @@ TEST_CASE("a token that a loop reads behind other accesses is for take_later") {
         "module");
 }
 
+TEST_CASE("what-if refuses a stage of a read as a run does, which the module's own code could not have") {
+    Pair pair = sound_pair();
+    pair.reader.writes_to("g").of_bits(1).leaves("receive", 1);
+    pair.writer.reads_from("g").taken("send", 0);
+    for (bool const takes_later : {false, true}) {
+        pair.reads = [takes_later](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+            clock.pipeline("receive", 10, [&](std::uint64_t) {
+                takes_later ? clock.take_later(fifo, [](Token) {}) : static_cast<void>(fifo.read());
+            });
+        };
+        for (Engine const engine : {Engine::lockstep, Engine::decoupled})
+            for (Cycles const stage : {0U, 1U, 2U}) {
+                CAPTURE(takes_later, stage);
+                MachineSettings changed;
+                changed.fifo("f").read_stage = stage;
+                std::string const run = outcome_of(pair, engine, changed);
+                CHECK(outcome_of(pair, engine, {}, &changed) == run);
+                CHECK((run.find("reads it first of all") != std::string::npos) == (stage == 2 && !takes_later));
+            }
+    }
+}
+
 TEST_CASE("how many tokens a FIFO holds, and events of FIFOs, are refused in one line") {
     Pair pair = sound_pair();
     pair.reads = [](ProcessClock& /*clock*/, ClockedFifo<Token>& fifo) { static_cast<void>(fifo.num_available()); };

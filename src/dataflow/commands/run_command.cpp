@@ -172,7 +172,7 @@ void add_compute_alone(replay::RecordedRun const& recorded, LoadedConfig const& 
         RunStatistics const alone = replay::retime(recorded, machine_of(ideal));
         if (!alone.deadlocked())
             run.memory->compute_alone = alone.total_cycles;
-    } catch (replay::OutcomeDiffers const&) {  // nobody knows, then
+    } catch (replay::NotRetimable const&) {  // nobody knows, then
     }
 }
 

@@ -1,6 +1,7 @@
 #include "dataflow/core/time/process_shape.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace dataflow::timing {
@@ -19,17 +20,18 @@ std::vector<Access> accesses_of(LoopShape const& loop) {
         accesses.push_back({read.port, read.stage});
     return accesses;
 }
-
-Cycles first_stage(std::vector<Access> const& accesses) {
-    auto const is_before = [](Access const& one, Access const& other) { return one.stage < other.stage; };
-    auto const first = std::min_element(accesses.begin(), accesses.end(), is_before);
-    return first == accesses.end() ? 0 : first->stage;
-}
 }  // namespace
+
+Cycles LoopShape::first_stage() const {
+    Cycles first = std::numeric_limits<Cycles>::max();
+    for (Access const& access : accesses_of(*this))
+        first = std::min(first, access.stage);
+    return first;
+}
 
 LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting(iterations_that_count(loop)) {
     std::vector<Access> const accesses = accesses_of(loop);
-    Cycles const first = first_stage(accesses);
+    Cycles const first = accesses.empty() ? 0 : loop.first_stage();
     fill = loop.entry_states + first;
     aligned = (loop.reads.empty() || loop.writes.empty()) && !loop.makes_attempts;
     std::map<Cycles, LoopPhase> phase_at;

@@ -39,6 +39,9 @@ struct LoopShape {
     bool makes_attempts = false;  ///< its iterations may access some of those ports without waiting
     bool rewinds = false;         ///< the next call's iterations follow at once, see docs/timing-model.md#rewind
     bool uses_memory = false;     ///< each iteration takes a token of the process's memory stream, in its first step
+
+    /// In which an iteration accesses anything that the loop names; never, if it names nothing.
+    Cycles first_stage() const;
 };
 
 /// What leaving a loop adds to its counters.

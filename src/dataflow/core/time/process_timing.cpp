@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/core/memory/memory_stream.hpp"
 
 namespace dataflow::timing {
@@ -11,6 +12,7 @@ ProcessTiming::ProcessTiming(std::string name, unsigned index, std::shared_ptr<P
     : Rules(std::move(shape), index), name_(std::move(name)) {
     figures_.loops.resize(loops().size());
     loop_sites_.resize(loops().size());
+    first_reads_.resize(loops().size());
 }
 
 unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
@@ -39,6 +41,7 @@ unsigned ProcessTiming::add_loop(LoopShape shape) {
     shape_->loops.push_back(std::move(shape));
     figures_.loops.emplace_back();
     loop_sites_.emplace_back();
+    first_reads_.emplace_back();
     return static_cast<unsigned>(loops().size() - 1);
 }
 
@@ -288,6 +291,7 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
     figures_ = other.figures_;
     loop_sites_ = other.loop_sites_;
     port_sites_ = other.port_sites_;
+    first_reads_ = other.first_reads_;
     arrival_ = other.arrival_;
     charged_until_ = other.charged_until_;
     starving_port_ = other.starving_port_;
@@ -319,12 +323,24 @@ LoopCost ProcessTiming::loop_cost(unsigned loop) const {
 SourceSite ProcessTiming::site_at_hand(unsigned port) const {
     if (in_loop())
         return loop_sites_[state_.loop];
-    if (log_.exhausted())
+    bool const is_flushed = flushes() && port == shape_->flushing_port;
+    if (log_.exhausted() && !is_flushed)
         return starving_site_;
-    std::uint64_t pending = 0;
+    std::uint64_t pending = is_flushed ? state_.flushing.tokens().size() - state_.flushing.left() : 0;
     for (std::size_t i = 0; i < log_.pending(); ++i)
         pending += log_.begin()[i].kind() == Kind::step && Ports(log_.begin()[i].ports()).has(port) ? 1U : 0U;
     return port_sites_[port].of(pending);
+}
+
+void ProcessTiming::require_first(unsigned loop, unsigned port) const {
+    Cycles const first = loops()[loop].first_stage();
+    Cycles const stage = fifo(port).shape().read_stage;
+    if (first < stage)
+        throw InputError("loop " + name() + "." + loops()[loop].name + " reads " + fifo(port).name() + " in stage " +
+                         std::to_string(stage) + ", behind other accesses of an iteration (stage " +
+                         std::to_string(first) + "), but its module reads it first of all, expected " +
+                         "accelerator.fifos." + fifo(port).name() + ".read_stage of at most " + std::to_string(first) +
+                         ", or take_later() in the module");
 }
 
 std::string ProcessTiming::position() const {

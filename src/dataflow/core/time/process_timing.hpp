@@ -252,6 +252,11 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     SourceSite port_site(unsigned port) const { return port_sites_[port].first(); }
     /// Of what the process is at, which waits for a port.
     SourceSite site_at_hand(unsigned port) const;
+    /// Ports that the module reads as the first thing of an iteration: until it has the token it does nothing else.
+    void note_first_reads(unsigned loop, Ports ports) { first_reads_[loop] = first_reads_[loop] | ports; }
+    Ports first_reads(unsigned loop) const { return first_reads_[loop]; }
+    /// Throws InputError if such a read is in a later stage than other accesses of the loop.
+    void require_first(unsigned loop, unsigned port) const;
 
     /// Whether an attempt finds room, or a token, now. All that happens before has been told.
     bool found_at(unsigned port) const;
@@ -337,6 +342,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     std::vector<OperationLog*> tapes_;
     std::vector<SourceSite> loop_sites_;
     std::vector<AccessSites> port_sites_;
+    std::vector<Ports> first_reads_;  ///< by loop
     MemoryStream* stream_ = nullptr;
     unsigned stream_port_ = 0;
     StepObserver* observer_ = nullptr;

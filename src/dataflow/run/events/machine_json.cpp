@@ -85,6 +85,14 @@ Json ports_json(timing::ProcessTiming const& process) {
     return ports;
 }
 
+Json numbers_of(timing::Ports ports, timing::ProcessTiming const& process) {
+    Json numbers = Json::array();
+    for (unsigned port = 0; port < process.port_count(); ++port)
+        if (ports.has(port))
+            numbers.push_back(port);
+    return numbers;
+}
+
 Json loops_json(timing::ProcessTiming const& process) {
     Json loops = Json::array();
     for (unsigned i = 0; i < process.loops().size(); ++i) {
@@ -98,6 +106,8 @@ Json loops_json(timing::ProcessTiming const& process) {
                          {"source", site_json(process.loop_site(i))}});
         if (!reads.empty())
             loops.back()["reads"] = std::move(reads);
+        if (timing::Ports const first = process.first_reads(i); !first.is_empty())
+            loops.back()["first_reads"] = numbers_of(first, process);
     }
     return loops;
 }
@@ -106,26 +116,37 @@ Json process_json(timing::ProcessTiming const& process) {
     return {{"process", process.name()}, {"ports", ports_json(process)}, {"loops", loops_json(process)}};
 }
 
-/// Compares what a file says of a process's ports and loops with the machine's, and takes the places in the source.
-class SiteReader {
+/// Compares what a file says of a process's ports and loops with the machine's, and takes what only its source tells.
+class SourceReader {
   public:
-    explicit SiteReader(replay::RecordedRun& run) : run_(run) {}
+    explicit SourceReader(replay::RecordedRun& run) : run_(run) {}
 
     void read(Json const& json, timing::ProcessTiming& process) {
-        if (without_sites(json) != without_sites(process_json(process)))
+        if (without_source(json) != without_source(process_json(process)))
             throw std::invalid_argument("process " + process.name() + " has other ports or loops");
         for (unsigned port = 0; port < process.port_count(); ++port)
             process.note_site(port, read_site(json.at("ports").at(port).at("source")));
         for (unsigned loop = 0; loop < process.loops().size(); ++loop)
-            process.note_loop_site(loop, read_site(json.at("loops").at(loop).at("source")));
+            read_loop(json.at("loops").at(loop), loop, process);
     }
 
   private:
-    static Json without_sites(Json process) {
+    static Json without_source(Json process) {
         for (char const* const parts : {"ports", "loops"})
             for (Json& part : process.at(parts))
-                part.erase("source");
+                for (char const* const told : {"source", "first_reads"})
+                    part.erase(told);
         return process;
+    }
+
+    void read_loop(Json const& json, unsigned loop, timing::ProcessTiming& process) {
+        process.note_loop_site(loop, read_site(json.at("source")));
+        for (Json const& port : json.value("first_reads", Json::array())) {
+            auto const number = port.get<std::size_t>();
+            if (number >= process.port_count())
+                throw std::invalid_argument("process " + process.name() + " has other ports");
+            process.note_first_reads(loop, timing::Ports::of(static_cast<unsigned>(number)));
+        }
     }
 
     SourceSite read_site(Json const& json) {
@@ -183,9 +204,9 @@ void read_machine(Json const& json, Machine const& machine, replay::RecordedRun&
     build_core(*run.blueprint, machine);
     if (json.size() != run.blueprint->processes().size())
         throw std::invalid_argument("it has other processes");
-    SiteReader sites(run);
+    SourceReader source(run);
     for (std::size_t process = 0; process < json.size(); ++process)
-        sites.read(json.at(process), run.blueprint->process(process));
+        source.read(json.at(process), run.blueprint->process(process));
 }
 
 }  // namespace dataflow::events

@@ -27,7 +27,7 @@ struct SensitivityStep {
     bool deadlocks = false;
     Cycles total_cycles = 0;       ///< if valid, not deadlocked and known
     std::optional<Slack> slack{};  ///< in this direction, if asked for
-    bool needs_run = false;        ///< a non-blocking access might find something else than in the recorded run
+    bool needs_run = false;        ///< which alone can tell: see NotRetimable
 };
 
 inline bool finishes(SensitivityStep const& step) { return step.valid && !step.deadlocks && !step.needs_run; }

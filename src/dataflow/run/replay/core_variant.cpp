@@ -22,13 +22,28 @@ void copy_sites(timing::ProcessTiming const& process, timing::ProcessTiming& var
         variant.note_site(port, process.port_site(port));
 }
 
+/// As a run there would, whose module would be kept from earlier accesses.
+void require_first_reads(timing::ProcessTiming const& process, timing::ProcessTiming const& variant) {
+    try {
+        for (unsigned loop = 0; loop < process.loops().size(); ++loop)
+            for (unsigned port = 0; port < process.port_count(); ++port)
+                if (process.first_reads(loop).has(port))
+                    variant.require_first(loop, port);
+    } catch (InputError const& error) {
+        throw NotRetimable(error.what());
+    }
+}
+
 }  // namespace
 
 std::unique_ptr<timing::PhraseCore> core_variant(timing::CoreTiming const& blueprint, Machine const& machine) {
     std::unique_ptr<timing::PhraseCore> core = timing::make_core();
     build_core(*core, machine, streams_of(blueprint, machine));
-    for (timing::ProcessTiming const& process : blueprint.processes())
-        copy_sites(process, core->process(process.index()));
+    for (timing::ProcessTiming const& process : blueprint.processes()) {
+        timing::ProcessTiming& variant = core->process(process.index());
+        require_first_reads(process, variant);
+        copy_sites(process, variant);
+    }
     return core;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
-#include "dataflow/base/input_error.hpp"
+#include "dataflow/run/replay/core_variant.hpp"
 #include "dataflow/run/replay/retime.hpp"
 
 namespace dataflow::replay {
 
 /// A non-blocking access might find something else than in the recorded run, so only another run can tell.
-class OutcomeDiffers : public InputError {
+class OutcomeDiffers : public NotRetimable {
   public:
-    using InputError::InputError;
+    using NotRetimable::NotRetimable;
 };
 
 /// What a process does behind a non-blocking access depends on what that found. `are_over`: the cores have done all

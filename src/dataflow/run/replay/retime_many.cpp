@@ -3,7 +3,7 @@
 #include <mutex>
 
 #include "dataflow/base/on_threads.hpp"
-#include "dataflow/run/replay/outcomes.hpp"
+#include "dataflow/run/replay/core_variant.hpp"
 
 namespace dataflow::replay {
 
@@ -11,7 +11,7 @@ namespace {
 std::optional<RunStatistics> retimed_if_known(ScriptedRun const& run, Machine const& machine) {
     try {
         return retime(run, machine);
-    } catch (OutcomeDiffers const&) {
+    } catch (NotRetimable const&) {
         return std::nullopt;
     }
 }

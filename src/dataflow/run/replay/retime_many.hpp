@@ -8,7 +8,7 @@
 
 namespace dataflow::replay {
 
-/// Gets the number of a machine and its figures; none if only a run can tell: see OutcomeDiffers.
+/// Gets the number of a machine and its figures; none if only a run can tell: see NotRetimable.
 using Done = std::function<void(std::size_t i, std::optional<RunStatistics> const& retimed)>;
 
 /// retime() for each of the machines, on all host cores. `done` is told in any order, from any thread, but one at

@@ -16,7 +16,7 @@ ModuleDescription describe_source() {
 
 ModuleDescription describe_worker(ToyConfig const& config) {
     ModuleDescription module("worker");
-    module.reads_from("number");
+    module.reads_from("number").makes_attempts = config.polls;
     module.writes_to("answer").carries("what was found").of_bits(32).leaves("look_up", 3);
     module.loop("look_up")
         .does("looks at one row per iteration")
@@ -24,6 +24,8 @@ ModuleDescription describe_worker(ToyConfig const& config) {
         .accesses_memory("table", {{{0, 0}, {-1, 0}, {1, 0}}, {{0, 0}}})
         .in_stages({"table", 1, 3, 3, 1})
         .writes_to({"answer"});
+    if (config.polls)
+        module.loops.front().also_reads({"number"});
     module.loop("repeat").does("says the last answer again").of_depth(5).writes_to({"answer"});
     module.memory("table").holds("rows of the table").of_words(config.rows, 4, 36).sized_by("toy.rows");
     SetupDescription setup;
@@ -54,6 +56,9 @@ class ToyDesign final : public Design {
                   Make::boolean_key(
                       {"toy.answers", "", "Whether anybody wants answers.", "toy"},
                       [](auto& config) -> auto& { return config.answers; }),
+                  Make::boolean_key(
+                      {"toy.polls", "", "Whether the worker looks for numbers while it is at one.", "toy"},
+                      [](auto& config) -> auto& { return config.polls; }),
                   clock_key("toy")};
         for (Key& key : machine_keys(describe_toy({})))
             keys.push_back(std::move(key));

@@ -289,7 +289,12 @@ TEST_CASE("What contradicts itself in any machine is refused", "[config][errors]
           }) == "--set accelerator.fifos.answer.depth=3: expected a key of the parts that toy.answers = false has");
     CHECK(set_error("accelerator.loops.worker.look_up.table.hazards=interlock") ==
           "--set accelerator.loops.worker.look_up.table.hazards=interlock: expected report or forward: the loop writes "
-          "FIFOs, or reads one in a later stage than its first");
+          "FIFOs, reads one in a later stage than its first, or without waiting");
+    for (bool const polls : {false, true}) {
+        std::vector<std::string> const settings{"toy.answers=false", polls ? "toy.polls=true" : "toy.polls=false",
+                                                "accelerator.loops.worker.look_up.table.hazards=interlock"};
+        CHECK((input_error_text([&] { loaded("", settings); }) == "(no error)") == !polls);
+    }
     CHECK(set_error("accelerator.fifos.anser.depth=3") ==
           "--set accelerator.fifos.anser.depth=3: unknown key, did you mean accelerator.fifos.answer.depth?");
     CHECK(set_error("toy.rows=0") == "--set toy.rows=0: expected an integer from 1 to 1024");

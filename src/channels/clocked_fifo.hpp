@@ -26,6 +26,8 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
                 std::size_t fields = TokenFields<Token>::layout.size())
         : FifoChannel(name, timing), tokens_(lanes), host_limit_(host_limit(timing.shape())), fields_(fields) {}
 
+    void register_port(sc_core::sc_port_base& port, char const* /*type*/) override { note_bound(port); }
+
     void read(Token& token) override { token = read(); }
     Token read() override {
         if (tokens_.size() == 0 || !reader_->reads_soundly(read_port_))

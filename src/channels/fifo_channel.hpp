@@ -30,6 +30,8 @@ class FifoChannel : public sc_core::sc_prim_channel {
         writer_ = &clock;
         write_port_ = timing::Ports::of(port);
     }
+    /// Modules with a port that is bound to it; from end_of_elaboration() on.
+    std::vector<std::string> const& bound_modules() const { return bound_modules_; }
     /// A process has stopped for it.
     bool is_awaited() const { return reader_waits_ || writer_waits_; }
     /// What the FIFO's tokens consist of.
@@ -43,6 +45,10 @@ class FifoChannel : public sc_core::sc_prim_channel {
 
   protected:
     friend class ProcessClock;
+    void note_bound(sc_core::sc_port_base const& port) {
+        if (sc_core::sc_object const* const module = port.get_parent_object(); module != nullptr)
+            bound_modules_.emplace_back(module->basename());
+    }
     void wake_reader() {
         if (reader_waits_) {
             reader_waits_ = false;
@@ -73,6 +79,7 @@ class FifoChannel : public sc_core::sc_prim_channel {
 
   private:
     timing::FifoTiming& timing_;
+    std::vector<std::string> bound_modules_;
     bool reader_waits_ = false;
     bool writer_waits_ = false;
 };

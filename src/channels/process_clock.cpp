@@ -38,11 +38,24 @@ void ProcessClock::connect_all() {
             hand_overs_[end.when] = hand_overs_[end.when] | timing::Ports::of(port);
         may_attempt_.push_back(end.makes_attempts);
     }
+    require_described_ports();
     for (std::size_t const stream : streams_of(machine))
         if (machine.streams[stream].process == timing_.index())
             stream_ = &machine.streams[stream];
     for (timing::LoopShape const& loop : timing_.loops())
         sound_by_loop_.push_back(sound_accesses_of(loop));
+}
+
+/// What a module does at a port counts as what its description names, so the port is bound to that.
+void ProcessClock::require_described_ports() const {
+    for (FifoChannel const* const fifo : dataflow_core_.channels()) {
+        if (fifo == nullptr || std::count(fifos_.begin(), fifos_.end(), fifo) > 0)
+            continue;
+        std::vector<std::string> const& modules = fifo->bound_modules();
+        if (std::count(modules.begin(), modules.end(), timing_.name()) > 0)
+            throw InputError("module " + timing_.name() + " has a port bound to the FIFO " + fifo->timing().name() +
+                             ", which its describe() does not name, expected it bound to one that it names");
+    }
 }
 
 void ProcessClock::begin_call() {

@@ -417,6 +417,7 @@ class ProcessClock {
     void hand_over(FifoEnd::When when);
     bool is_memory(unsigned port) const { return uses_memory() && port == timing_.stream_port(); }
     static timing::Ports read_port_of(FifoChannel const& fifo);
+    void require_described_ports() const;
     void require_first_stage(timing::Ports port);
     void require_once(timing::Ports port) const;
     [[noreturn]] void refuse_second(unsigned port) const;

@@ -32,6 +32,18 @@ TEST_CASE("a loop that a module runs and does not describe is told by name") {
                "did you mean send?");
 }
 
+TEST_CASE("a port that is bound to a FIFO which its module does not describe is told") {
+    Pair pair = sound_pair();
+    pair.bound_to = "f";
+    check_both(pair, "14");
+    pair.writer.writes_to("g").of_bits(1);
+    pair.writer.reads_from("g");
+    pair.bound_to = "g";
+    check_both(pair,
+               "module reader has a port bound to the FIFO g, which its describe() does not name, expected it bound to "
+               "one that it names");
+}
+
 TEST_CASE("a mistake is told even if another module goes on asking for ever") {
     Pair pair = sound_pair();
     pair.reader.ends.front().non_blocking();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "channels/clocked_fifo.hpp"
+#include "channels/port_binding.hpp"
 #include "channels/sample_module.hpp"
 #include "channels/simulate.hpp"
 #include "dataflow/base/input_error.hpp"
@@ -28,6 +29,8 @@ class Worker : public SampleModule {
     Worker(sc_core::sc_module_name const& name, DataflowCore& core, Work work)
         : SampleModule(name, core), its_core_(core), work_(std::move(work)) {}
 
+    OptionalFifoIn<Token> port{"port"};
+
   private:
     void work(std::size_t /*sample*/) override { work_(clock_, its_core_.fifo<Token>("f")); }
 
@@ -39,6 +42,7 @@ struct Pair {
     ModuleDescription writer{"writer"}, reader{"reader"};
     Work writes, reads;
     std::optional<std::size_t> results = {};  ///< that the core has in the end; as many as samples
+    std::string bound_to = {};                ///< the FIFO to which the reader's port is bound
 };
 
 class PairCore : public DataflowCore {
@@ -50,6 +54,8 @@ class PairCore : public DataflowCore {
             make_fifo<Token>(fifo.name);
         workers_.push_back(std::make_unique<Worker>("writer", *this, pair.writes));
         workers_.push_back(std::make_unique<Worker>("reader", *this, pair.reads));
+        if (!pair.bound_to.empty())
+            workers_.back()->port(fifo<Token>(pair.bound_to));
     }
 
     std::size_t results() const override { return results_.value_or(DataflowCore::results()); }

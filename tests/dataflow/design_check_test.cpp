@@ -110,6 +110,14 @@ TEST_CASE("a FIFO with one end only, or with two of a kind, is told by name", "[
           "mean f?");
     CHECK(complaint_about([](auto&, auto& reader) { reader.writes_to("f"); }) ==
           "the FIFO f is written by writer and by reader, expected one writer, and a FIFO for each other");
+    CoreDescription core;
+    core.modules = {ModuleDescription("writer"), ModuleDescription("reader")};
+    core.modules.front().writes_to("f").of_bits(1);
+    core.modules.back().reads_from("f");
+    core.begins = "writer";
+    core.ends = "reader";
+    CHECK(input_error_text([&] { check_design(core); }) ==
+          "module writer writes the FIFO f, which the core's description does not list, expected it among its fifos");
 }
 
 TEST_CASE("a loop or a memory that is named and not described is told by name", "[machine]") {

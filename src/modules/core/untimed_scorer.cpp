@@ -11,7 +11,7 @@ namespace faster::datapath {
 namespace {
 
 ContourDepth contour_depth(EdgeMapAlgorithm algorithm) {
-    return algorithm == EdgeMapAlgorithm::inner_border ? ContourDepth::own : ContourDepth::neighbour;
+    return contour_is_on_object(algorithm) ? ContourDepth::own : ContourDepth::neighbour;
 }
 
 /// Token coordinates have 16 bits. No image is wider than 4096 pixels, so a window further off covers none of it either

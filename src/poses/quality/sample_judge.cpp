@@ -7,7 +7,7 @@
 namespace faster::quality {
 
 ContourSide side_of(EdgeMapAlgorithm algorithm) {
-    return algorithm == EdgeMapAlgorithm::inner_border ? ContourSide::inside : ContourSide::outside;
+    return contour_is_on_object(algorithm) ? ContourSide::inside : ContourSide::outside;
 }
 
 SampleJudge::SampleJudge(Stimulus const& stimulus, ContourSide side) : stimulus_(stimulus), side_(side) {

@@ -24,20 +24,21 @@ constexpr std::uint64_t most_lane_setup_cycles = most_stages - 18;
 constexpr std::uint64_t least_lane_setup_cycles = 6;
 constexpr int largest_window = 255;
 
-[[noreturn]] void refuse(std::string const& key, std::string const& found, std::string const& expected) {
-    throw InputError(fmt::format("accelerator.{} = {}, expected {}: the register-transfer twin has nothing else", key,
-                                 found, expected));
+/// `found`: the key with its value, or alone.
+[[noreturn]] void refuse(std::string const& found, std::string const& expected) {
+    throw InputError(
+        fmt::format("accelerator.{}: expected {}, the register-transfer twin has nothing else", found, expected));
 }
 
 std::uint64_t in_range(std::string const& key, std::uint64_t value, std::uint64_t least, std::uint64_t most) {
     if (value < least || value > most)
-        refuse(key, fmt::format("{}", value), fmt::format("{} to {}", least, most));
+        refuse(fmt::format("{} = {}", key, value), fmt::format("{} to {}", least, most));
     return value;
 }
 
 void require(bool holds, std::string const& key, std::string const& expected) {
     if (!holds)
-        refuse(key, "another value", expected);
+        refuse(key, expected);
 }
 
 void check_design(AcceleratorConfig const& config, Machine const& machine) {
@@ -63,8 +64,9 @@ void require_no_interlocks(Machine const& machine) {
     for (MachineLoop const& loop : machine.loops)
         for (MachineDependence const& dependence : loop.dependences)
             if (dependence.interlocks())
-                refuse(fmt::format("loops.{}.{}.hazards", loop.timed_by, machine.memories[dependence.memory].name),
-                       "interlock", "report or forward");
+                refuse(fmt::format("loops.{}.{}.hazards = interlock", loop.timed_by,
+                                   machine.memories[dependence.memory].name),
+                       "report or forward");
 }
 
 /// Whether it is a design of the twin with lanes, or nearer to one than to the thesis's.
@@ -83,7 +85,7 @@ std::uint8_t banks_of(MachineMemory const& memory, AcceleratorConfig const& conf
             "cyclic banks of dimension 2");
     for (int const lanes : {config.rasterizer.lanes, config.inlier_unit.sweep_lanes})
         if (banks % static_cast<std::uint64_t>(lanes) != 0)
-            refuse(key + ".factor", fmt::format("{}", banks), fmt::format("a multiple of {} lanes", lanes));
+            refuse(fmt::format("{}.factor = {}", key, banks), fmt::format("a multiple of {} lanes", lanes));
     return static_cast<std::uint8_t>(banks);
 }
 

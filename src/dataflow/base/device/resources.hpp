@@ -36,6 +36,7 @@ enum class ResourceBasis {
     synthesized,   ///< of this very configuration
     interpolated,  ///< between synthesized configurations, or along them
     counted,       ///< by hand, from widths and primitives
+    unknown,       ///< nobody has said, and nothing is added
 };
 std::string_view name_of(ResourceBasis basis);
 

@@ -101,10 +101,12 @@ class DesignCheck {
 
     void check_end(ModuleDescription const& module, FifoEnd const& end) const {
         if (!has(core_.fifos, end.fifo))
-            throw InputError("module " + module.name + (end.writes ? " writes" : " reads") + " the FIFO " + end.fifo +
-                             ", which " + (end.writes ? "the design does not list" : "nobody writes") +
-                             ", expected another module's writes_to(\"" + end.fifo + "\")" +
-                             did_you_mean(end.fifo, core_.fifos));
+            throw InputError(
+                "module " + module.name + (end.writes ? " writes" : " reads") + " the FIFO " + end.fifo +
+                (is_written(end.fifo)
+                     ? ", which the core's description does not list, expected it among its fifos"
+                     : ", which nobody writes, expected another module's writes_to(\"" + end.fifo + "\")") +
+                did_you_mean(end.fifo, core_.fifos));
         if (end.writes)
             check_range("the depth of the FIFO " + end.fifo, end.depth,
                         end.buffer_words > 0 ? buffers_range : fifo_depth_range);
@@ -112,6 +114,13 @@ class DesignCheck {
             keyed_loop(module, end.loop);
         if (end.makes_attempts)
             check_attempts(module, end);
+    }
+
+    bool is_written(std::string const& fifo) const {
+        return std::any_of(core_.modules.begin(), core_.modules.end(), [&](ModuleDescription const& module) {
+            return std::any_of(module.ends.begin(), module.ends.end(),
+                               [&](FifoEnd const& end) { return end.writes && end.fifo == fifo; });
+        });
     }
 
     /// Neither is timed in the order of cycles.

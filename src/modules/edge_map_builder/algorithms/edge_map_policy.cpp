@@ -1,5 +1,7 @@
 #include "modules/edge_map_builder/algorithms/edge_map_policy.hpp"
 
+#include <stdexcept>
+
 #include "modules/edge_map_builder/algorithms/bounded_map.hpp"
 #include "modules/edge_map_builder/algorithms/dual_map.hpp"
 #include "modules/edge_map_builder/algorithms/dual_map_4_1_2.hpp"
@@ -29,9 +31,9 @@ std::unique_ptr<EdgeMapPolicy> make_edge_map_policy(EdgeMapAlgorithm algorithm, 
         case EdgeMapAlgorithm::inner_border:
             return std::make_unique<InnerBorder>(window);
         case EdgeMapAlgorithm::dual_map:
-            break;
+            return std::make_unique<DualMap>(window);
     }
-    return std::make_unique<DualMap>(window);
+    throw std::logic_error("an edge map algorithm without a class");
 }
 
 }  // namespace faster::datapath

@@ -216,6 +216,10 @@ TEST_CASE("What is wrong with a BOP folder is one line that says where", "[bop]"
         fs::remove_all(folder / "models");
         CHECK_THAT(complaint(folder), Catch::Contains("models: no such folder, expected one with models"));
     }
+    SECTION("boxes, but no objects") {
+        fs::remove(folder / "test/000001/scene_gt.json");
+        CHECK(complaint(folder) == "test/000001/scene_gt.json: no such file, expected it beside scene_gt_info.json");
+    }
     SECTION("no models_info.json") {
         fs::remove(folder / "models/models_info.json");
         CHECK_THAT(complaint(folder), Catch::Contains("models/models_info.json: no such file"));
@@ -726,6 +730,33 @@ TEST_CASE("The box of an object is that of its projection", "[bop]") {
     CHECK(box.width == Approx(15));
     CHECK(box.top == Approx(55));
     CHECK(box.height == Approx(15));
+}
+
+TEST_CASE("Frames are a dataset: their folder, the folder of these, and the one with the meshes", "[bop]") {
+    TempFolder const data;
+    std::string const frame = R"("width": 4, "height": 3, "depth": "d.png", "depth_unit_m": 0.001, )"
+                              R"("intrinsics": {"fx": 5, "fy": 5, "cx": 1, "cy": 1}, "objects": [{"class": "b", )"
+                              R"("R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "t_scan": [0, 0, 0.5]}]})";
+    fs::create_directories(data / "depth/one");
+    fs::create_directories(data / "depth/two");
+    fs::create_directories(data / "meshes");
+    data.write("depth/one/frames.json", R"({"frames": [{"id": "000007", )" + frame + "]}");
+    data.write("depth/two/frames.json", R"({"frames": [{"id": "3", )" + frame + R"(, {"id": "4", )" + frame + "]}");
+    for (std::string const name : {"a", "b"})
+        data.write("meshes/" + name + ".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (std::string const name : {".", "depth", "depth/"}) {
+        CAPTURE(name);
+        Dataset const dataset = read_dataset(data / name);
+        REQUIRE(dataset.images.size() == 3);
+        CHECK(dataset.images[2].id == ImageId{2, 4});
+        CHECK(dataset.images[2].objects.at(0).obj_id == 2);
+        CHECK(dataset.models.size() == 2);
+        CHECK(dataset.targets.size() == 3);
+    }
+    CHECK(read_dataset(data / "depth/two").images.at(1).id == ImageId{1, 4});
+    fs::remove_all(data / "meshes");
+    CHECK_THAT(complaint_in(data.path(), [&] { read_dataset(data / "depth"); }),
+               Catch::StartsWith("meshes: no such folder"));
 }
 
 TEST_CASE("Real frames are a dataset: the rendered objects are where the camera saw them", "[bop][shared_data]") {

@@ -78,7 +78,10 @@ fs::path split_of(fs::path const& folder, std::string const& wanted) {
         return folder;
     std::vector<std::string> const splits = splits_in(folder);
     if (splits.empty())
-        io::fail(folder, "holds no scenes, expected a dataset of BOP (SPLIT/NNNNNN/scene_camera.json), or frames.json");
+        io::fail(
+            folder,
+            "holds no scenes, expected a dataset of BOP (SPLIT/NNNNNN/scene_camera.json), or frames.json in it or in "
+            "folders of it");
     std::string const name = wanted.empty() && splits.size() == 1 ? splits.front() : wanted.empty() ? "test" : wanted;
     if (std::find(splits.begin(), splits.end(), name) == splits.end())
         io::fail(folder, fmt::format("has no split {}, expected {} {}", name,
@@ -245,7 +248,8 @@ Dataset read_frames(fs::path const& folder, std::vector<fs::path> const& scenes,
     MendedRotations mended;
     for (std::size_t i = 0; i < scenes.size(); ++i)
         append(dataset.images, read_frames_folder(scenes[i], static_cast<int>(i) + 1, dataset.models, mended));
-    mended.tell((folder / "frames.json").string(), dataset.warnings);
+    fs::path const told = scenes.size() == 1 ? scenes.front() : parent_of(scenes.front()) / "*";
+    mended.tell((told / "frames.json").string(), dataset.warnings);
     dataset.targets = all_targets(dataset.images);
     return dataset;
 }
@@ -276,6 +280,8 @@ Dataset read_dataset(fs::path const& folder, DatasetOptions const& options) {
         return read_frames(folder, {folder}, parent_of(parent_of(folder)) / "meshes", options);
     if (auto const scenes = frames_below(folder / "depth"); !scenes.empty())
         return read_frames(folder, scenes, folder / "meshes", options);
+    if (auto const scenes = frames_below(folder); !scenes.empty())
+        return read_frames(folder, scenes, parent_of(folder) / "meshes", options);
     return read_bop(folder, options);
 }
 

@@ -20,8 +20,8 @@ struct DatasetOptions {
 ///   a dataset in the format of BOP: SPLIT/NNNNNN/{scene_camera,scene_gt,scene_gt_info}.json and depth/, models/,
 ///   and test_targets_bop19.json or test_targets_bop24.json, and camera.json, if there are any;
 ///   one of its splits;
-///   depth/NAME/frames.json with meshes/ beside depth/, or one of these NAME: scenes are numbered from 1 by name,
-///   objects from 1 in the order of the meshes' names.
+///   depth/NAME/frames.json with meshes/ beside depth/, that depth/, or one of these NAME: scenes are numbered from 1
+///   by name, objects from 1 in the order of the meshes' names.
 /// Lengths become metres. Targets in images that are not at hand are left out and counted. What is wrong with a single
 /// image, object or model is kept as its problem, see sound(). Throws InputError: a missing file, JSON that is none.
 Dataset read_dataset(std::filesystem::path const& folder, DatasetOptions const& options = {});

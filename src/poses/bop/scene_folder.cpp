@@ -180,10 +180,13 @@ DatasetImage read_frame(JsonNode const& node, fs::path const& folder, std::map<i
 std::vector<DatasetImage> read_scene_folder(fs::path const& folder, int scene_id, Camera const& size,
                                             MendedRotations& mended) {
     Images images = read_cameras(folder, scene_id, size);
-    if (fs::path const file = folder / "scene_gt.json"; fs::exists(file))
-        read_objects(file, scene_id, images, mended);
-    if (fs::path const file = folder / "scene_gt_info.json"; fs::exists(file))
-        read_object_infos(file, images);
+    fs::path const objects = folder / "scene_gt.json", infos = folder / "scene_gt_info.json";
+    if (fs::exists(objects))
+        read_objects(objects, scene_id, images, mended);
+    else if (fs::exists(infos))
+        io::fail(objects, "no such file, expected it beside scene_gt_info.json");
+    if (fs::exists(infos))
+        read_object_infos(infos, images);
     return values_of(images);
 }
 

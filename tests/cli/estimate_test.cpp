@@ -365,6 +365,38 @@ TEST_CASE("Every target with a box is looked for, and an interrupted estimate of
     require_done(workspace.run({"evaluate", "all/results.csv", dataset.path().string()}));
 }
 
+TEST_CASE("What is wrong with a target ends an estimate of all with the reason, and what was done is kept",
+          "[estimate][bop]") {
+    Workspace const workspace;
+    BopFolder const dataset;
+    std::string const mesh = content_of(dataset / "models/obj_000005.ply");
+    auto const all = [&] {
+        return workspace.estimate({"--all", "--bop", dataset.path().string(), "--detections",
+                                   (dataset / "boxes.json").string(), "--out", "all", "-j", "1", "--set",
+                                   "estimator.iterations=1", "--set", "workload.samples.count=4"});
+    };
+    dataset.write("boxes.json", some_boxes(20));
+    dataset.write("models/obj_000005.ply", "");
+    CommandResult const broken = all();
+    CHECK(broken.exit_code == 2);
+    CHECK_THAT(broken.err, Contains("object 5 in image 0 of scene 1: ") &&
+                               Contains("obj_000005.ply: cannot be read as a mesh (it ends early)"));
+    CHECK(lines_of(broken.err).size() == 1);
+    std::filesystem::remove(dataset / "models/obj_000005.ply");
+    std::filesystem::create_directory(dataset / "models/obj_000005.ply");
+    CHECK_THAT(all().err, Contains("obj_000005.ply: is a folder, expected a file"));
+    std::filesystem::remove(dataset / "models/obj_000005.ply");
+    dataset.write("models/obj_000005.ply", mesh);
+    dataset.write("boxes.json", some_boxes(-1e10));
+    dataset.replace("boxes.json", "20, 20.25", "3e10, 20.25");  // of the first
+    CHECK_THAT(all().err, Contains("pixel") && Contains("expected one that fits 32 bits"));
+    CHECK_FALSE(workspace.has("all/results.csv"));
+    dataset.write("boxes.json", some_boxes(20));
+    CommandResult const mended = all();
+    require_done(mended);
+    CHECK_THAT(mended.out, Contains("3 estimates, 1 of them done already"));
+}
+
 TEST_CASE("Instances of an object are looked for in the best boxes one by one", "[estimate][bop]") {
     Workspace const workspace;
     BopFolder const dataset;

@@ -17,6 +17,26 @@ namespace faster {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr char complaint_mark = '!';  // before what is wrong, in place of an estimate, which is a {...} of JSON
+
+/// What one process does, and sends back.
+std::string done_or_refused(WantedEstimate const& wanted) {
+    try {
+        return to_json(estimated(wanted)).dump();
+    } catch (InputError const& error) {
+        return complaint_mark + std::string(error.what());
+    }
+}
+
+std::string place_of(WantedEstimate const& wanted) {
+    return fmt::format("{}, {}: object {} in image {} of scene {}", wanted.setting->name, wanted.method->name,
+                       wanted.target.obj_id, wanted.target.image.im_id, wanted.target.image.scene_id);
+}
+
+}  // namespace
+
 void take_folder_of_estimates(fs::path const& folder, std::string const& kind) {
     std::error_code error;
     if (fs::exists(folder) && !fs::is_directory(folder))
@@ -63,7 +83,7 @@ void EstimateWorker::work(std::size_t jobs, std::size_t all) {
     stream.next = [this](std::size_t number) -> std::optional<processes::Task> {
         if (number >= pending_.size())
             return std::nullopt;
-        return processes::Task{[wanted = pending_[number]] { return to_json(estimated(*wanted)).dump(); }};
+        return processes::Task{[wanted = pending_[number]] { return done_or_refused(*wanted); }};
     };
     stream.ended = [&](std::size_t number, processes::Outcome const& outcome) {
         take(*pending_[number], outcome);
@@ -73,12 +93,14 @@ void EstimateWorker::work(std::size_t jobs, std::size_t all) {
 }
 
 void EstimateWorker::take(WantedEstimate const& wanted, processes::Outcome const& outcome) {
-    if (outcome.kind == processes::Outcome::Kind::done)
-        return journal_.append(wanted.id, experiments::estimate_result_from_json(Json::parse(outcome.output)));
-    ++failed_;
-    fmt::print(stderr, "{}, {}: object {} in image {} of scene {}: the estimate crashed, failed or took too long\n",
-               wanted.setting->name, wanted.method->name, wanted.target.obj_id, wanted.target.image.im_id,
-               wanted.target.image.scene_id);
+    if (outcome.kind != processes::Outcome::Kind::done) {
+        ++failed_;
+        fmt::print(stderr, "{}: the estimate crashed, failed or took too long\n", place_of(wanted));
+        return;
+    }
+    if (outcome.output.front() == complaint_mark)
+        throw InputError(fmt::format("{}: {}", place_of(wanted), outcome.output.substr(1)));
+    journal_.append(wanted.id, experiments::estimate_result_from_json(Json::parse(outcome.output)));
 }
 
 std::string results_of(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,

@@ -27,6 +27,7 @@ class EstimateWorker {
     std::size_t pending() const { return pending_.size(); }
     std::size_t failed() const { return failed_; }
     WorkSize size(char const* command, std::size_t jobs) const;
+    /// Throws InputError for the first estimate that is of bad input; those that came before are in the journal.
     void work(std::size_t jobs, std::size_t all);
 
   private:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include "faster/dataflow_names.hpp"
 #include "poses/bop/pose_results.hpp"
@@ -112,6 +113,28 @@ TEST_CASE("evaluate takes models from elsewhere", "[evaluate]") {
     std::filesystem::rename(workspace.dataset() / "models", workspace.work() / "elsewhere");
     check_bad_input(workspace.evaluate({"right.csv", "DATASET"}), {"models: no such folder"});
     require_done(workspace.evaluate({"right.csv", "--models", "elsewhere", "DATASET"}));
+}
+
+TEST_CASE("evaluate says what stands in a mesh's place before it says how long it would take", "[evaluate]") {
+    Workspace const workspace;
+    std::filesystem::path const mesh = workspace.dataset() / "models/obj_000005.ply";
+    std::filesystem::remove(mesh);
+    auto const says = [&](char const* what) {
+        check_bad_input(workspace.evaluate({"right.csv", "DATASET"}), {"obj_000005.ply: ", what});
+        std::filesystem::remove(mesh);
+    };
+    std::filesystem::create_directory(mesh);
+    says("is a folder, expected a file");
+    std::filesystem::create_symlink("nowhere", mesh);
+    says("no such file");
+    REQUIRE(mkfifo(mesh.c_str(), 0600) == 0);
+    says("is no regular file, expected a mesh file");
+}
+
+TEST_CASE("Results without rows score 0", "[evaluate]") {
+    Workspace const workspace;
+    require_done(workspace.evaluate_text(header));
+    CHECK_THAT(workspace.text("out/scores.csv"), Contains("\nwrong,all,0,4,8,0,"));
 }
 
 TEST_CASE("evaluate leaves out what is hidden, if told to", "[evaluate]") {

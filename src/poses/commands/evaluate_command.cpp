@@ -19,6 +19,7 @@
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
 #include "faster/dataflow_names.hpp"
+#include "faster/workload/files/mesh_file.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "poses/bop/read_dataset.hpp"
 #include "poses/commands/estimate_scene.hpp"
@@ -70,8 +71,7 @@ bop::Dataset load_dataset(EvaluateRequest const& request) {
 /// look for the nearest point, for ADD-S, takes as long as some 50.
 double points_mapped(bop::ObjectModel const& model) {
     constexpr double bytes_of_point = 65;  // and of its triangles; binary files have fewer
-    std::error_code ignored;
-    double const points = static_cast<double>(fs::file_size(model.mesh, ignored)) / bytes_of_point;
+    double const points = static_cast<double>(files::require_mesh_file(model.mesh)) / bytes_of_point;
     return points * (static_cast<double>(poses::symmetries_of(model).size()) + 50);
 }
 

@@ -11,6 +11,7 @@
 #include "dataflow/run/config/resolved_config.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
+#include "faster/workload/files/mesh_file.hpp"
 #include "poses/bop/read_dataset.hpp"
 #include "poses/commands/estimate_scene.hpp"
 #include "poses/commands/estimate_scorers.hpp"
@@ -57,6 +58,9 @@ std::string target_text(SettingData const& setting, bop::Target const& target, s
                         Contents& contents) {
     bop::DatasetImage const& image = *setting.dataset.find(target.image);
     bop::ObjectModel const& model = bop::model_of(setting.dataset, target.obj_id, setting.dataset.folder.string());
+    for (std::filesystem::path const& mesh : {model.mesh, model.judged_mesh})
+        if (!mesh.empty())
+            files::require_mesh_file(mesh);
     Camera const& c = image.camera;
     std::string text =
         fmt::format("{} {} {} {} {} {} {} {} {}\n", contents.hash_of(image.depth), contents.hash_of(model.mesh),

@@ -60,15 +60,7 @@ std::string reply_of(fs::path const& path, MeshLimits const& limits) {
 }
 
 void require_readable(fs::path const& path, MeshLimits const& limits) {
-    require_file(path);
-    if (!has_mesh_extension(path))
-        fail(path,
-             fmt::format("is of an unknown format, expected a mesh file ({})", fmt::join(mesh_extensions(), ", ")));
-    std::error_code error;
-    auto const size = fs::file_size(path, error);
-    if (error)
-        fail(path, "is no regular file, expected a mesh file");
-    if (size > limits.file_bytes())
+    if (require_mesh_file(path) > limits.file_bytes())
         fail_limit(path, fmt::format("it is longer than {} MiB", limits.file_mib), limits, "file_limit_mib");
 }
 
@@ -140,6 +132,18 @@ std::vector<std::string> const& mesh_extensions() {
 bool has_mesh_extension(fs::path const& path) {
     auto const& known = mesh_extensions();
     return std::find(known.begin(), known.end(), lower_case_extension(path)) != known.end();
+}
+
+std::uint64_t require_mesh_file(fs::path const& path) {
+    require_file(path);
+    if (!has_mesh_extension(path))
+        fail(path,
+             fmt::format("is of an unknown format, expected a mesh file ({})", fmt::join(mesh_extensions(), ", ")));
+    std::error_code error;
+    auto const size = fs::file_size(path, error);
+    if (error)
+        fail(path, "is no regular file, expected a mesh file");
+    return size;
 }
 
 std::vector<Mesh> load_meshes(std::vector<fs::path> const& paths, MeshLimits const& limits, std::size_t jobs) {

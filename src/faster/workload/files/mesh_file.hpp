@@ -24,6 +24,10 @@ std::vector<std::string> const& mesh_extensions();
 /// True if the path ends in one of mesh_extensions(), in any case.
 bool has_mesh_extension(std::filesystem::path const& path);
 
+/// The length of a mesh file [bytes]. Throws InputError for what load_mesh() would not open: no such file, a folder, a
+/// pipe, another extension.
+std::uint64_t require_mesh_file(std::filesystem::path const& path);
+
 /// What reading a mesh file may take.
 struct MeshLimits {
     double seconds = 10;

@@ -274,6 +274,21 @@ TEST_CASE("A mesh of unconnected triangles is simplified nevertheless", "[object
     CHECK(coarse.faces.size() <= 330);
 }
 
+TEST_CASE("Triangles that a mesh has several times do not change what it is simplified to", "[object_mesh]") {
+    Mesh const once = sphere(0.1, 30);
+    Mesh twice = once;
+    for (auto const& face : once.faces)
+        twice.faces.push_back({face[1], face[2], face[0]});
+    Mesh const coarse = simplified(twice, 60);
+    CHECK(coarse.faces == simplified(once, 60).faces);
+    CHECK(coarse.duplicates == once.faces.size());
+    CHECK_THAT(duplicates_warning(coarse, "a.obj"),
+               Catch::StartsWith("a.obj: " + std::to_string(once.faces.size()) + " of its triangles have the corners"));
+    CHECK(simplified(twice, once.faces.size()).faces == once.faces);
+    CHECK(simplified(twice, twice.faces.size()).faces == twice.faces);  // not simplified, and left as it is
+    CHECK(duplicates_warning(simplified(once, 60), "a.obj").empty());
+}
+
 TEST_CASE("A mesh with all triangles around one vertex is simplified soon", "[object_mesh]") {
     std::uint32_t const rim = 150'000;  // collapsing edges would take minutes
     Mesh cone;

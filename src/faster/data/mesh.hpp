@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace faster {
 struct Mesh {
     std::vector<Eigen::Vector3d> vertices;
     std::vector<std::array<std::uint32_t, 3>> faces;
+    std::size_t duplicates = 0;  ///< triangles that were left out on simplifying, as another is the same
 };
 
 /// Object to camera frame: p = rotation * X + translation [m]. Camera: x right, y down, z forward.

@@ -168,7 +168,7 @@ std::vector<std::string> depth_warnings(SceneConfig const& scene, Camera const& 
 }  // namespace
 
 std::vector<std::string> mesh_warnings(Mesh const& mesh, std::string const& file) {
-    return without_empty({size_warning(mesh, file), inside_out_warning(mesh, file)});
+    return without_empty({size_warning(mesh, file), inside_out_warning(mesh, file), duplicates_warning(mesh, file)});
 }
 
 std::vector<std::string> camera_warnings(Camera const& camera) {

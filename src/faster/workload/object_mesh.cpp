@@ -1,11 +1,14 @@
 #include "faster/workload/object_mesh.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
 #include <meshoptimizer.h>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "dataflow/base/input_error.hpp"
@@ -45,6 +48,28 @@ struct FlatMesh {
     static constexpr std::size_t stride = 3 * sizeof(float);
 };
 
+/// Each triangle once. Those that are there again, with the same front, change nothing that is seen, but meshoptimizer
+/// takes their edges for places where surfaces meet, and what it makes of them is another shape.
+Mesh without_duplicates(Mesh const& mesh) {
+    using Face = std::array<std::uint32_t, 3>;
+    std::vector<std::pair<Face, std::size_t>> numbered;  // from the least corner on
+    numbered.reserve(mesh.faces.size());
+    for (Face face : mesh.faces) {
+        std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+        numbered.emplace_back(face, numbered.size());
+    }
+    std::sort(numbered.begin(), numbered.end());
+    std::vector<bool> is_there_before(mesh.faces.size());
+    for (std::size_t i = 1; i < numbered.size(); ++i)
+        is_there_before[numbered[i].second] = numbered[i].first == numbered[i - 1].first;
+    Mesh result{mesh.vertices, {}};
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+        if (!is_there_before[i])
+            result.faces.push_back(mesh.faces[i]);
+    result.duplicates = mesh.faces.size() - result.faces.size();
+    return result;
+}
+
 bool can_be_collapsed(FlatMesh const& mesh) {
     std::vector<std::uint64_t> triangles(mesh.vertex_count());
     for (unsigned const vertex : mesh.indices)
@@ -72,6 +97,7 @@ Mesh compacted(Mesh const& mesh, Indices const& indices) {
     constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> new_index(mesh.vertices.size(), unused);
     Mesh result;
+    result.duplicates = mesh.duplicates;
     result.faces.resize(indices.size() / 3);
     for (std::size_t position = 0; position < indices.size(); ++position) {
         std::uint32_t& index = new_index[indices[position]];
@@ -118,6 +144,15 @@ std::string size_warning(Mesh const& mesh, std::string const& file) {
         is_in_mm ? "millimetres" : "centimetres");
 }
 
+std::string duplicates_warning(Mesh const& mesh, std::string const& file) {
+    if (mesh.duplicates == 0)
+        return {};
+    return fmt::format(
+        "{}: {} of its triangles have the corners of another, and were left out before it was simplified; "
+        "expected each once",
+        file, mesh.duplicates);
+}
+
 bool is_mesh_file(std::string const& name) {
     return name.find('/') != std::string::npos || files::has_mesh_extension(name);
 }
@@ -144,7 +179,10 @@ Mesh simplified(Mesh const& mesh, std::uint64_t max_triangles) {
     if (max_triangles == 0 || mesh.faces.size() <= max_triangles) {
         return mesh;
     }
-    FlatMesh const flat(mesh);
+    Mesh const once = without_duplicates(mesh);
+    if (once.faces.size() <= max_triangles)
+        return once;
+    FlatMesh const flat(once);
     std::size_t const target_indices = 3 * static_cast<std::size_t>(max_triangles);
     Indices indices = can_be_collapsed(flat) ? collapsed(flat, target_indices) : flat.indices;
     if (indices.size() > target_indices + target_indices / 10) {
@@ -153,7 +191,7 @@ Mesh simplified(Mesh const& mesh, std::uint64_t max_triangles) {
             indices = coarser;
         }
     }
-    return compacted(mesh, indices);
+    return compacted(once, indices);
 }
 
 }  // namespace faster::workload

@@ -15,6 +15,9 @@ double longest_side_m(Mesh const& mesh);
 /// one of 3 cm in centimetres, and one of less than 5 mm is too small to be seen.
 std::string size_warning(Mesh const& mesh, std::string const& file);
 
+/// What was left out of a mesh on simplifying it, for people; empty if nothing was.
+std::string duplicates_warning(Mesh const& mesh, std::string const& file);
+
 /// The mesh of an object: a mesh file if `name` has a '/' or the extension of a mesh format, else a built-in class.
 /// Throws InputError; for an unknown class it names `key`, the configuration key the name comes from. `files`: what
 /// reading a mesh file may take, and its unit.
@@ -28,7 +31,8 @@ bool is_mesh_file(std::string const& name);
 
 /// The mesh with fewer triangles of the same shape and orientation; as it is if it has at most `max_triangles`, or if
 /// that is 0. The limit is a goal: surfaces that cannot be collapsed further without breaking apart keep up to a tenth
-/// more; beyond that vertices are merged on a grid, whatever becomes of holes and thin parts.
+/// more; beyond that vertices are merged on a grid, whatever becomes of holes and thin parts. Triangles that are there
+/// several times are first left out but for one.
 Mesh simplified(Mesh const& mesh, std::uint64_t max_triangles);
 
 }  // namespace faster::workload

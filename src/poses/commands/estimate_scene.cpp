@@ -9,6 +9,7 @@
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/build_stimulus.hpp"
+#include "faster/workload/object_mesh.hpp"
 #include "faster/workload/object_pose.hpp"
 #include "poses/bop/detections.hpp"
 #include "poses/bop/read_dataset.hpp"
@@ -195,6 +196,9 @@ estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& reques
     for (bop::Detection const& detection : boxes)
         require_overlap(detection.box, seen.camera, request);
     estimation::Scene scene = observed_scene(loaded, mesh, seen);
+    if (std::string const left_out = workload::duplicates_warning(scene.observed.posed.mesh, model.mesh.string());
+        !left_out.empty())
+        say_warnings({left_out});
     add_judged_points(scene, model, mesh);
     add_truths_and_boxes(scene, truths, boxes, workload_of(loaded.config).scene.downscale);
     return scene;

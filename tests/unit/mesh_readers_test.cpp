@@ -227,6 +227,8 @@ TEST_CASE("A PLY header that makes no sense is refused at its line", "[mesh_read
     CHECK_THAT(with("vertex_index", "corners"), Contains("a.ply:12: element face has no list vertex_indices"));
     CHECK_THAT(with("format ascii 1.0\n", ""), Contains("a.ply: has no line format in its header"));
     CHECK_THAT(with("3.000000 0.000000 2", "3.5 0.000000 2"), Contains("length 3.5, expected a count"));
+    CHECK_THAT(with("vertex_index\n", "vertex_index\nproperty list uchar int vertex_indices\n"),
+               Contains("a.ply:12: element face has the lists vertex_index and vertex_indices, expected one of them"));
 }
 
 TEST_CASE("STL is read as text and binary, whatever its header says", "[mesh_readers]") {
@@ -235,6 +237,7 @@ TEST_CASE("STL is read as text and binary, whatever its header says", "[mesh_rea
                              loop + "endfacet\nendsolid facet\n";
     CHECK(read("a.stl", text).faces.size() == 1);
     CHECK(read("a.stl", text + text).faces.size() == 2);
+    CHECK(read("a.stl", "\xEF\xBB\xBF" + text).faces.size() == 1);
     CHECK(read("a.stl", replaced(text, "\n", "\r\n")).faces.size() == 1);
     CHECK(read("a.stl", replaced(replaced(text, "end", "end "), "solid", "SOLID")).faces.size() == 1);
     CHECK(read("a.stl", replaced(text, "endloop", "vertex -1 -1 0\nendloop")).faces.size() == 2);

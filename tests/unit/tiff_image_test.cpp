@@ -154,6 +154,15 @@ TEST_CASE("A TIFF file that is no depth image is refused, with what it is") {
     CHECK_THAT(complaint_about("II*"), Catch::Contains("is no TIFF file"));
 }
 
+TEST_CASE("A depth image that is neither TIFF nor PNG is refused, with what it may be") {
+    TempFolder const folder;
+    for (std::string const bytes : {"", "II", "no image"})
+        CHECK_THAT(input_error_text([&] { read_depth_counts(folder.write("d.tif", bytes)); }),
+                   Catch::EndsWith("d.tif: is neither a PNG nor a TIFF file, expected one of 16-bit greyscale"));
+    CHECK_THAT(input_error_text([&] { read_depth_counts(folder / "none.tif"); }),
+               Catch::EndsWith("none.tif: no such file, expected a readable file"));
+}
+
 TEST_CASE("A TIFF file cut off or changed anywhere is read or refused") {
     TempFolder const folder;
     std::string const plain = tiff_of();

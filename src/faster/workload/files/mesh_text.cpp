@@ -50,12 +50,15 @@ std::optional<std::int64_t> integer_in(std::string_view word) {
     return static_cast<std::int64_t>(*number);
 }
 
-MeshText::MeshText(std::filesystem::path path, std::string_view text, std::size_t first_line)
-    : path_(std::move(path)), rest_(text), line_(first_line) {
+std::string_view without_byte_order_mark(std::string_view text) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (first_line == 1 && rest_.substr(0, byte_order_mark.size()) == byte_order_mark)
-        rest_.remove_prefix(byte_order_mark.size());
+    if (text.substr(0, byte_order_mark.size()) == byte_order_mark)
+        text.remove_prefix(byte_order_mark.size());
+    return text;
 }
+
+MeshText::MeshText(std::filesystem::path path, std::string_view text, std::size_t first_line)
+    : path_(std::move(path)), rest_(first_line == 1 ? without_byte_order_mark(text) : text), line_(first_line) {}
 
 void MeshText::skip_line_end() {
     bool const has_two = rest_.substr(0, 2) == line_ends;

@@ -160,18 +160,22 @@ class PlyReader {
     /// Which property of an element of faces lists their corners.
     std::optional<std::size_t> list_of_corners(PlyElement const& element) const {
         bool const is_known = element.name == "face" || element.name == "tristrips";
+        std::optional<std::size_t> found;
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
             PlyProperty const& property = element.properties[i];
             if (!property.is_list || (property.name != "vertex_indices" && property.name != "vertex_index"))
                 continue;
             if (!is_known && element.name != "edge")
                 fail_element(element, "lists vertices, which is not read; expected the elements face or tristrips");
+            if (is_known && found)
+                fail_element(element, fmt::format("has the lists {} and {}, expected one of them",
+                                                  element.properties[*found].name, property.name));
             if (is_known)
-                return i;
+                found = i;
         }
-        if (is_known)
+        if (is_known && !found)
             fail_element(element, "has no list vertex_indices, expected one");
-        return std::nullopt;
+        return found;
     }
 
     void read_faces(PlyElement const& element, std::size_t list) {

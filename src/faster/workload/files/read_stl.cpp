@@ -30,6 +30,7 @@ std::string lower_case(std::string_view word) {
 bool is_text(std::string_view file) {
     if (file.size() >= stl_header_bytes && file.size() == stl_header_bytes + triangle_bytes * announced_triangles(file))
         return false;
+    file = without_byte_order_mark(file);
     std::size_t const start = std::min(file.find_first_not_of(" \t\r\n"), file.size());
     return lower_case(file.substr(start, 5)) == "solid" && file.find('\0') == std::string_view::npos;
 }

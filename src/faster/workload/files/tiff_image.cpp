@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tiffio.h>
 
+#include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "faster/dataflow_names.hpp"
@@ -129,11 +130,21 @@ bool read_strips(TIFF* tiff, Image<std::uint16_t>& image) {
 
 }  // namespace
 
+namespace {
+
+/// The first four bytes; zeros, if there are not as many.
+std::array<char, 4> first_bytes(std::filesystem::path const& path) {
+    std::array<char, 4> first{};
+    std::ifstream(path, std::ios::binary).read(first.data(), first.size());
+    return first;
+}
+
+}  // namespace
+
 bool is_tiff(std::filesystem::path const& path) {
     constexpr std::array<std::string_view, 4> marks{std::string_view("II*\0", 4), std::string_view("MM\0*", 4),
                                                     std::string_view("II+\0", 4), std::string_view("MM\0+", 4)};
-    std::array<char, 4> first{};
-    std::ifstream(path, std::ios::binary).read(first.data(), first.size());
+    std::array<char, 4> const first = first_bytes(path);
     return std::find(marks.begin(), marks.end(), std::string_view(first.data(), first.size())) != marks.end();
 }
 
@@ -153,7 +164,12 @@ Image<std::uint16_t> read_tiff16(std::filesystem::path const& path) {
 }
 
 Image<std::uint16_t> read_depth_counts(std::filesystem::path const& path) {
-    return is_tiff(path) ? read_tiff16(path) : read_png16(path);
+    if (is_tiff(path))
+        return read_tiff16(path);
+    io::require_file(path);
+    if (first_bytes(path) != std::array<char, 4>{'\x89', 'P', 'N', 'G'})
+        io::fail(path, "is neither a PNG nor a TIFF file, expected one of 16-bit greyscale");
+    return read_png16(path);
 }
 
 }  // namespace faster::files

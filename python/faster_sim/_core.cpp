@@ -126,11 +126,9 @@ struct Retimed {
 class Events {
   public:
     explicit Events(std::string const& path)
-        : path_(path),
-          file_(events::read_event_file(path)),
+        : file_(events::read_event_file(path)),
           scripted_(file_.run, file_.run.lead(machine_of(file_.loaded.config))) {}
 
-    std::string const& path() const { return path_; }
     std::string const& recorded_summary() const { return file_.summary; }
 
     /// Each key with its value, as JSON.
@@ -206,7 +204,6 @@ class Events {
         return rows;
     }
 
-    std::string path_;
     events::EventFile file_;
     replay::ScriptedRun scripted_;  ///< made ready once, for many retimings
 };
@@ -231,7 +228,6 @@ PYBIND11_MODULE(_core, module) {
         .def_property_readonly("loops", [](Retimed const& r) { return report::loops_csv(r.run); });
     py::class_<Events>(module, "Events")
         .def(py::init<std::string const&>(), py::arg("path"))
-        .def_property_readonly("path", &Events::path)
         .def_property_readonly("config", &Events::config)
         .def_property_readonly("recorded_summary", &Events::recorded_summary)
         .def("retime", &Events::retime, py::arg("overrides"), py::arg("critical_path"))

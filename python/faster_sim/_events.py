@@ -6,7 +6,7 @@ import re
 import tempfile
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Mapping, NamedTuple, Optional, Protocol, Sequence
+from typing import Any, Iterable, Mapping, NamedTuple, Optional, Protocol, Sequence
 
 import numpy
 
@@ -49,10 +49,10 @@ class Events:
         """program: that re-times it; without, the one that recorded it, and of faster-sim this process."""
         self.path = os.path.abspath(path)
         self._given = None if program is None else os.fspath(program)
-        name = _core.recording_program(os.fspath(path))
+        name = _core.recording_program(os.fsencode(path))
         self._retimer: Retimer
         if name == DEFAULT:
-            self._retimer = _InProcess(os.fspath(path))
+            self._retimer = _InProcess(os.fsencode(path))
         else:
             self._retimer = _ByProgram(self.path, _program_of(self.path, name, self._given))
 
@@ -80,7 +80,7 @@ class Events:
         """A row for each configuration, on all host cores: the keys that any of them names, `status` (done, deadlock, or
         unknown: a non-blocking access might find something else, and only a run can tell), `total_cycles` and
         `milliseconds`, which are masked unless it is done."""
-        rows = [dict(values) for values in configurations]
+        rows = _rows_of(configurations)
         found = self._retimer.retime_many([_values.overrides(row) for row in rows], progress)
         keys = list(dict.fromkeys(key for row in rows for key in row))
         columns = {key: _tables.of_cells([_cell(row.get(key, self.config.get(key.replace("__", ".")))) for row in rows])
@@ -110,7 +110,7 @@ class Events:
 
 
 class _InProcess:
-    def __init__(self, path: str) -> None:
+    def __init__(self, path: bytes) -> None:
         self._core = _core.Events(path)
 
     def config(self) -> dict[str, Any]:
@@ -189,6 +189,16 @@ class _ByProgram:
             if ended.code != EXIT_DONE:
                 raise ProgramError(f"{words[0]} ended with exit code {ended.code}: {ended.errors.strip()}")
             return (Path(temporary) / name).read_text(encoding="utf-8")
+
+
+def _rows_of(configurations: Sequence[Mapping[str, object]]) -> list[dict[str, object]]:
+    if isinstance(configurations, (Mapping, str, bytes)) or not isinstance(configurations, Iterable):
+        raise InputError(f"configurations is of type {type(configurations).__name__}, expected a list of dicts")
+    rows = list(configurations)
+    for number, row in enumerate(rows):
+        if not isinstance(row, Mapping):
+            raise InputError(f"row {number} is of type {type(row).__name__}, expected a dict of keys and values")
+    return [dict(row) for row in rows]
 
 
 def _program_of(path: str, name: str, given: Optional[str]) -> str:

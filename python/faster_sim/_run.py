@@ -86,8 +86,12 @@ class Program:
 
     def estimate(self, config: Path_, *, out: Optional[Path_] = None, progress: Optional[Progress] = None,
                  **more: object) -> Answer:
-        """Finds an object's pose; `answer["iterations"]` has a row per iteration."""
-        return self._answer(["estimate", os.fspath(config)], "estimate.json", ["iterations"], out, progress, more)
+        """Finds an object's pose; `answer["iterations"]` has a row per iteration. With all=True, of all targets of a
+        dataset: `answer["results"]` has a row per estimate, and there is no summary."""
+        words = ["estimate", os.fspath(config)]
+        if more.get("all"):
+            return self._answer(words, None, ["results"], out, progress, more)
+        return self._answer(words, "estimate.json", ["iterations"], out, progress, more)
 
     def evaluate(self, *results: Path_, dataset: Path_, out: Optional[Path_] = None, progress: Optional[Progress] = None,
                  **more: object) -> Answer:
@@ -105,12 +109,12 @@ class Program:
             raise ProgramError(f"{words[0]} ended with exit code {ended.code}: {(ended.errors or ended.printed).strip()}")
         return ended
 
-    def _answer(self, words: list[str], json_file: str, tables: list[str], out: Optional[Path_],
+    def _answer(self, words: list[str], json_file: Optional[str], tables: list[str], out: Optional[Path_],
                 progress: Optional[Progress], more: dict[str, object]) -> Answer:
         with tempfile.TemporaryDirectory(prefix="faster-sim-") as temporary:
             folder = Path(out if out is not None else Path(temporary) / "out")
             ended = self._done([*words, "--out", str(folder), *_values.words(more)], progress)
-            found = json.loads((folder / json_file).read_text(encoding="utf-8"))
+            found = json.loads((folder / json_file).read_text(encoding="utf-8")) if json_file else {}
             read = {name: _tables.of_csv((folder / f"{name}.csv").read_text(encoding="utf-8")) for name in tables}
         return Answer(found, read, ended.printed)
 

@@ -6,6 +6,7 @@ import multiprocessing
 import os
 import pickle
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -160,6 +161,21 @@ class PackageTest(unittest.TestCase):
             self.events.whatif({DEPTH: None})
         with self.assertRaisesRegex(faster_sim.InputError, "5 is of type int, expected the name of a key"):
             self.events.whatif({5: 1})
+        with self.assertRaisesRegex(faster_sim.InputError, "configurations is of type dict, expected a list of dicts"):
+            self.events.whatif_matrix({DEPTH: 1})
+        with self.assertRaisesRegex(faster_sim.InputError, "row 1 is of type str, expected a dict"):
+            self.events.whatif_matrix([{}, DEPTH])
+
+    def test_paths_are_those_of_the_system(self) -> None:
+        path = os.path.join(os.fsencode(self.folder), b"e\xff.events")
+        shutil.copy(self.path, path)
+        events = faster_sim.load_events(os.fsdecode(path))
+        self.assertEqual(events.whatif().total_cycles, self.events.whatif().total_cycles)
+        self.assertEqual(pickle.loads(pickle.dumps(events)).config, self.events.config)
+        with self.assertRaisesRegex(faster_sim.InputError, "no such file"):
+            faster_sim.load_events(os.fsdecode(path + b"\xfe"))
+        recorded = faster_sim.record(CONFIG, os.fsdecode(path), **SMALL)
+        self.assertEqual(recorded.whatif().total_cycles, self.events.whatif().total_cycles)
 
     def test_events_go_to_other_processes(self) -> None:
         with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
@@ -198,6 +214,20 @@ class PackageTest(unittest.TestCase):
         self.assertEqual(len(found["iterations"]), len(found.summary["iterations"]))
         with self.assertRaisesRegex(faster_sim.InputError, "nowhere"):
             faster_sim.evaluate(self.folder / "m.csv", dataset=self.folder / "nowhere")
+
+    def test_an_estimate_of_all_has_its_results(self) -> None:
+        wish = self.folder / "experiment.yaml"
+        wish.write_text("""format: faster-experiment
+version: 1
+set: {workload.samples.count: 4, estimator.iterations: 1}
+scenes: {bright: {objects: [banana], images: 2}}
+methods: {faster: {}}
+""")
+        faster_sim.Program().call("experiment", wish, out=self.folder / "experiment")
+        found = faster_sim.estimate(CONFIG, all=True, bop=self.folder / "experiment" / "scenes" / "bright",
+                                    workload__samples__count=4, estimator__iterations=1)
+        self.assertEqual(found["results"]["obj_id"].tolist(), [10, 10])
+        self.assertEqual(found.summary, {})
 
     def test_tables_know_quotes_types_and_empty_cells(self) -> None:
         table = _tables.of_csv('a,b,message,total_cycles,flag\n1,0.5,"x, ""y""",7,true\n2,,,,false\n')

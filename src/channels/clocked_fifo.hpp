@@ -135,11 +135,13 @@ class ClockedFifo : public FifoChannel, public sc_core::sc_fifo_in_if<Token>, pu
 
   private:
     [[gnu::noinline]] void await_and_access() {
+        reader_->require_own(*this, false);
         reader_->begins_read(read_port_);
         peek();
         reader_->access(read_port_);
     }
     [[gnu::noinline]] void put_and_access(Token const& token) {
+        writer_->require_own(*this, true);
         put(token);
         writer_->access(write_port_);
     }

@@ -20,6 +20,8 @@ DataflowCore::DataflowCore(sc_core::sc_module_name const& name, std::shared_ptr<
     if (!timing_->streams().empty())
         memory_events_.resize(machine_->process_places());
     begun_.resize(timing_->processes().size());
+    threads_.resize(begun_.size());
+    has_process_.resize(begun_.size());
     for (MachineFifo const& fifo : machine_->fifos)
         if (fifo.hands_over > 0)
             made_.push_back(
@@ -92,8 +94,9 @@ std::vector<DependenceStatistics> DataflowCore::dependences() const {
 }
 
 void DataflowCore::throw_error() const {
-    if (error_ && (time_base_.engine == Engine::lockstep || timing_->processes()[failed_].log().exhausted()))
-        std::rethrow_exception(error_);
+    for (auto const& [process, error] : errors_)
+        if (time_base_.engine == Engine::lockstep || timing_->processes()[process].log().exhausted())
+            std::rethrow_exception(error);
 }
 
 void DataflowCore::catch_up() {
@@ -156,7 +159,25 @@ void DataflowCore::require_interlocks() const {
         }
 }
 
+/// One that is described and not there would never read or write, which looks like a deadlock.
+void DataflowCore::require_modules() const {
+    for (std::size_t const process : modules_of(*machine_))
+        if (!has_process_[process])
+            throw InputError("module " + machine_->processes[process].name +
+                             " is described, but the core has no such module, expected it made in the core's "
+                             "constructor");
+}
+
+std::optional<std::size_t> DataflowCore::running_process(std::size_t likely) const {
+    sc_core::sc_process_b const* const running = sc_core::sc_get_current_process_b();
+    if (running == nullptr || threads_[likely] == running)
+        return likely;
+    auto const found = std::find(threads_.begin(), threads_.end(), running);
+    return found == threads_.end() ? std::nullopt : std::optional<std::size_t>(found - threads_.begin());
+}
+
 void DataflowCore::start_of_simulation() {
+    require_modules();
     for (auto const& call : starts_)
         call();
 }
@@ -164,6 +185,7 @@ void DataflowCore::start_of_simulation() {
 void DataflowCore::begin_sample(std::size_t process) {
     std::size_t const sample = begun_[process]++;
     if (sample == 0) {
+        threads_[process] = sc_core::sc_get_current_process_b();
         require_interlocks();
         await_turn_of(process);
     }

@@ -3,6 +3,7 @@
 #include <deque>
 #include <exception>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -114,16 +115,12 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     void run_after(DataflowCore const* other) { before_ = other; }
     /// Whether the core has done its share, or has let the next one begin all the same.
     bool is_turn_over() const { return is_turn_over_; }
-    /// A process cannot go on. Of several, the first counts.
-    void fail(std::size_t process, std::exception_ptr error) {
-        if (!error_) {
-            failed_ = process;
-            error_ = std::move(error);
-        }
-    }
-    bool has_failed() const { return error_ != nullptr; }
-    /// When all that is known has its cycles: throws the error, unless the process is stuck before it comes there. In
-    /// decoupled, a module is ahead of time.
+    /// A process cannot go on.
+    void fail(std::size_t process, std::exception_ptr error) { errors_.emplace(process, std::move(error)); }
+    bool has_failed() const { return !errors_.empty(); }
+    /// When all that is known has its cycles: throws the error of the first process in the machine's order that has
+    /// failed, whichever the engine came to first. Not of one that is stuck before it comes there: in decoupled, a
+    /// module is ahead of time.
     void throw_error() const;
     /// Lets the next core begin. By itself when the share is done.
     void end_turn();
@@ -139,6 +136,10 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
         return thread_ == nullptr ? nullptr : &logs_for_thread_[process];
     }
 
+    /// A module has made its clock of that process. Each that the machine has needs one before the simulation starts.
+    void add_process(std::size_t process) { has_process_[process] = true; }
+    /// Of the calling thread, which most probably is that of `likely`; none: it is no process of the core.
+    std::optional<std::size_t> running_process(std::size_t likely) const;
     /// Every process calls this before the first operation of each of its samples. A process that reads no FIFO waits
     /// here for the core's turn before its first sample.
     void begin_sample(std::size_t process);
@@ -174,6 +175,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     void start_of_simulation() override;
     void tell_thread();
     void require_interlocks() const;
+    void require_modules() const;
     void find_channels(sc_core::sc_object const& parent) const;
     void await_turn_of(std::size_t process) const;
 
@@ -204,9 +206,10 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     std::vector<std::function<void(std::size_t)>> process_begins_;
     std::vector<std::size_t> begun_;  // samples, by process
     std::size_t samples_ended_ = 0;
-    std::exception_ptr error_;
-    std::size_t failed_ = 0;                // the process
-    DataflowCore const* before_ = nullptr;  // whose turn is before
+    std::map<std::size_t, std::exception_ptr> errors_;   // by process
+    std::vector<bool> has_process_;                      // a module has made its clock
+    std::vector<sc_core::sc_process_b const*> threads_;  // by process, once it has begun a sample
+    DataflowCore const* before_ = nullptr;               // whose turn is before
     bool is_turn_over_;
     sc_core::sc_event turn_ends_{"turn_ends"};
 };

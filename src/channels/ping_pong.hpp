@@ -20,12 +20,14 @@ template <class Word> class PingPong final : public FifoChannel {
     using FifoChannel::FifoChannel;
 
     void put(std::vector<Word> words) {
+        writer_->require_own(*this, true);
         while (buffers_.size() > most_ahead)
             writer_->wait_for_room(*this);
         buffers_.push_back(std::move(words));
         wake_reader();
     }
     std::vector<Word> take() {
+        reader_->require_own(*this, false);
         while (buffers_.empty())
             reader_->wait_for_tokens(*this);
         std::vector<Word> words = std::move(buffers_.front());

@@ -9,6 +9,26 @@ namespace dataflow {
 
 // Which accesses a step, or an iteration of a loop, may make.
 
+namespace {
+[[noreturn]] void refuse_end(std::string const& module, std::string const& fifo, bool writes) {
+    throw InputError("module " + module + (writes ? " writes " : " reads ") + fifo +
+                     ", which its describe() does not say, expected " + (writes ? "writes_to" : "reads_from") + "(\"" +
+                     fifo + "\")");
+}
+}  // namespace
+
+void ProcessClock::require_own(FifoChannel const& fifo, bool writes) const {
+    std::optional<std::size_t> const running = dataflow_core_.running_process(timing_.index());
+    if (running && *running != timing_.index())
+        refuse_end(dataflow_core_.machine().processes[*running].name, fifo.basename(), writes);
+}
+
+void ProcessClock::require_end(FifoChannel const& fifo, timing::Ports port, bool writes) const {
+    if (port.is_empty() || port.first() >= fifos_.size() || fifos_[port.first()] != &fifo ||
+        timing_.writes(port.first()) != writes)
+        refuse_end(timing_.name(), fifo.basename(), writes);
+}
+
 /// What is read when an iteration begins keeps the module from everything else that the iteration does. Once that is
 /// found right, it need not be looked at again.
 void ProcessClock::require_first_stage(timing::Ports port) {

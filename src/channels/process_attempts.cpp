@@ -109,6 +109,7 @@ void ProcessClock::require_attempts(FifoChannel const& fifo, timing::Ports port)
 }
 
 bool ProcessClock::attempts(FifoChannel const& fifo, timing::Ports port, bool only_asks) {
+    require_own(fifo, timing_.writes(port.first()));
     if (is_in_tokens_body_)
         refuse_in_tokens_body(fifo.timing().name());
     require_attempts(fifo, port);
@@ -142,6 +143,7 @@ bool ProcessClock::attempts(FifoChannel const& fifo, timing::Ports port, bool on
 
 void ProcessClock::attempt_later(FifoChannel const& fifo, timing::Ports port,
                                  std::function<void(std::uint64_t step)> attempt) {
+    require_own(fifo, timing_.writes(port.first()));
     require_attempts(fifo, port);
     if (!is_pipelining_ || !collecting_)
         throw InputError("module " + timing_.name() + " accesses " + fifo.timing().name() +

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <systemc>
+#include <utility>
 
 #include "channels/dataflow_core.hpp"
 #include "channels/fifo_channel.hpp"
@@ -24,7 +24,9 @@ ProcessClock::ProcessClock(DataflowCore& core, std::string_view process)
       timing_(core.timing().process(core.machine().process(process))),
       log_(&timing_.log()),
       time_base_(core.time_base()),
-      ticks_per_cycle_(core.time_base().ticks_per_cycle()) {}
+      ticks_per_cycle_(core.time_base().ticks_per_cycle()) {
+    core.add_process(timing_.index());
+}
 
 void ProcessClock::connect_all() {
     Machine const& machine = dataflow_core_.machine();
@@ -42,6 +44,8 @@ void ProcessClock::connect_all() {
     for (std::size_t const stream : streams_of(machine))
         if (machine.streams[stream].process == timing_.index())
             stream_ = &machine.streams[stream];
+    has_memory_port_ = std::any_of(machine.streams.begin(), machine.streams.end(),
+                                   [this](MachineStream const& stream) { return stream.process == timing_.index(); });
     for (timing::LoopShape const& loop : timing_.loops())
         sound_by_loop_.push_back(sound_accesses_of(loop));
 }
@@ -72,9 +76,8 @@ void ProcessClock::hand_over(FifoEnd::When when) {
 FifoChannel& ProcessClock::channel_of(std::size_t fifo) const {
     FifoChannel* const channel = dataflow_core_.channels()[fifo];
     if (channel == nullptr)
-        throw std::logic_error(std::string(dataflow_core_.name()) + ": the FIFO " +
-                               dataflow_core_.machine().fifos[fifo].name + " of " + timing_.name() +
-                               " has no channel, expected a ClockedFifo made with its fifo_timing()");
+        throw InputError("the FIFO " + dataflow_core_.machine().fifos[fifo].name + " of module " + timing_.name() +
+                         " has no channel, expected a ClockedFifo made with its fifo_timing() in the core");
     return *channel;
 }
 
@@ -301,7 +304,14 @@ sc_core::sc_time ProcessClock::left_until(Cycles cycle) const {
     return sc_core::sc_time::from_value(target - std::min(target, now));
 }
 
+/// What others do meanwhile is no part of the iteration at hand.
 void ProcessClock::wait_for_tokens(FifoChannel& fifo, timing::Ports others) {
+    std::uint32_t const open = std::exchange(open_, 0);
+    starve(fifo, others);
+    open_ = open;
+}
+
+void ProcessClock::starve(FifoChannel& fifo, timing::Ports others) {
     if (is_held_ && collecting_ && lockstep() && follow_in_lockstep(reached_ + fifo.timing().shape().read_stage))
         return;  // a token may have come
     timing_.set_starving(static_cast<int>(fifo.read_port().first()), site_);
@@ -320,8 +330,10 @@ void ProcessClock::wait_for_tokens(FifoChannel& fifo, timing::Ports others) {
 }
 
 void ProcessClock::wait_for_room(FifoChannel& fifo) {
+    std::uint32_t const open = std::exchange(open_, 0);
     fifo.writer_waits_ = true;
     sc_core::wait(fifo.read_);
+    open_ = open;
 }
 
 }  // namespace dataflow

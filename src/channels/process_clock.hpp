@@ -35,8 +35,8 @@ class ProcessClock {
     ProcessClock(DataflowCore& core, std::string_view process);
 
     /// Takes the process's ends of all FIFOs that the machine says it has. Once, at the end of elaboration: the core's
-    /// channels must be there. Errors: std::logic_error if a FIFO of the process has no channel; InputError for a loop
-    /// that rewinds and cannot.
+    /// channels must be there. Errors: InputError if a FIFO of the process has no channel, and for a loop that rewinds
+    /// and cannot.
     void connect_all();
     /// The number of a loop for enter_loop(), by its name in the process. After connect_all().
     /// Errors: InputError if the process has no such loop.
@@ -302,14 +302,15 @@ class ProcessClock {
     /// The process's port to the external memory, for an iteration that takes a token, or none if the memory is ideal.
     timing::Ports memory_port() const;
     /// Takes a token from the memory, or gives it one, as an access of a step or of the iteration at hand; nothing if
-    /// the memory is ideal. Errors: InputError where the description says something else, and for a second one.
+    /// the memory is ideal. Errors: InputError where the description says something else or has no port to the memory,
+    /// and for a second one.
     void access_memory();
     /// What the process takes from memory, or puts there, in its next loop or step that it has not told of yet. Any
     /// time before. It must use memory.
     void tell_entry(timing::MemoryEntry entry);
     /// Tokens of so many bytes, one behind the other from an address on, of the sample that has begun: what the next
     /// loop or steps take from memory by access_memory(), or give it. Nothing if the memory is ideal. A SampleModule
-    /// takes, or gives, what it has told of, all of it.
+    /// takes, or gives, what it has told of, all of it. Errors: InputError as access_memory().
     struct Range {
         std::uint64_t address = 0;
         std::uint64_t tokens = 1;
@@ -338,6 +339,11 @@ class ProcessClock {
         taken_ = timing::Ports(static_cast<timing::Ports::Number>(taken_.number() | port.number()));
         return true;
     }
+
+    /// Errors: InputError if the calling thread is that of another module of the core: it has no such end of the FIFO.
+    void require_own(FifoChannel const& fifo, bool writes) const;
+    /// Errors: InputError if a FIFO's port that reads or writes is not the process's.
+    void require_end(FifoChannel const& fifo, timing::Ports port, bool writes) const;
 
     bool lockstep() const { return time_base_.engine == Engine::lockstep; }
     timing::ProcessTiming const& timing() const { return timing_; }
@@ -411,6 +417,7 @@ class ProcessClock {
     void access_closely(timing::Ports port);
     [[noreturn]] void refuse_in_tokens_body(std::string const& what) const;
     void require_memory(unsigned port) const;
+    void require_memory_port() const;
     [[noreturn]] void refuse_both(std::string const& fifo) const;
     bool is_taken_by_loop() const;
     void enter_memory(unsigned loop);
@@ -445,6 +452,7 @@ class ProcessClock {
     std::uint64_t step_of_read(FifoChannel const& fifo) const;
     void put_off(std::uint64_t step, std::function<void()> taking, timing::Ports reads);
     FifoChannel& channel_of(std::size_t fifo) const;
+    void starve(FifoChannel& fifo, timing::Ports others);
 
     DataflowCore& dataflow_core_;
     timing::CoreTiming& core_;
@@ -506,6 +514,7 @@ class ProcessClock {
     timing::Ports attempted_;
     std::vector<bool> may_attempt_;  // by port
 
+    bool has_memory_port_ = false;  // by its description, whether or not there is a memory
     MachineStream const* stream_ = nullptr;
     std::uint64_t tokens_told_ = 0, tokens_accessed_ = 0;  // of memory, by access_memory()
     std::uint64_t tokens_at_hand_ = 0;                     // told, of entries that it has come to

@@ -30,7 +30,14 @@ void ProcessClock::tell_entry(timing::MemoryEntry entry) {
     dataflow_core_.add_entry(timing_.index(), std::move(entry));
 }
 
+void ProcessClock::require_memory_port() const {
+    if (!has_memory_port_)
+        throw InputError("module " + timing_.name() + " accesses the memory, to which it has no port, expected " +
+                         "fetches() or stores() in its describe()");
+}
+
 void ProcessClock::tell_ranges(std::vector<Range> const& ranges) {
+    require_memory_port();
     if (!uses_memory())
         return;
     std::uint64_t const sample = dataflow_core_.begun(timing_.index()) - 1;
@@ -55,6 +62,7 @@ void ProcessClock::tell_ranges(std::vector<Range> const& ranges) {
 void ProcessClock::access_memory() {
     if (is_in_tokens_body_)
         refuse_in_tokens_body("memory");
+    require_memory_port();
     if (!uses_memory())
         return;
     require_memory(timing_.stream_port());

@@ -18,8 +18,10 @@ class SampleModule : public sc_core::sc_module {
     ProcessClock const& clock() const { return clock_; }
 
   protected:
-    /// Sample number `sample` of the run. At least one cycle has to pass. An access takes place within a cycle, which
-    /// is part of the call if work() lets it pass.
+    /// Sample number `sample` of the run. Time passes by the clock only, advance() and loops: SystemC's own wait() is
+    /// not part of it. An access takes place within a cycle, which is part of the call if work() lets it pass; let one
+    /// pass behind the last access. A call in which none passes takes no time: if it is the last of a sample, that ends
+    /// with the cycle before, or in cycle 0.
     virtual void work(std::size_t sample) = 0;
 
     ProcessClock clock_;

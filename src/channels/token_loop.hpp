@@ -55,7 +55,8 @@ template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...
 
     /// Once, after the clock's connect_all(). A FIFO that is absent is null, and so are its tokens in take(). Several
     /// may be of one loop, where iterations differ in what they access. Errors: InputError for a FIFO that the loop
-    /// does not name, or that is there twice, and for a loop of which ProcessClock::reads_first() is false.
+    /// does not name, whose end is another module's, or that is there twice, and for a loop of which
+    /// ProcessClock::reads_first() is false.
     void connect(ProcessClock& clock, std::string_view name, ClockedFifo<In>*... in, ClockedFifo<Out>*... out) {
         clock_ = &clock;
         loop_ = clock.loop(name);
@@ -67,8 +68,14 @@ template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...
         in_ = {in...};
         out_ = {out...};
         ports_ = timing::no_ports;
-        each_of(in_, [this](auto& fifo) { add(fifo.read_port()); });
-        each_of(out_, [this](auto& fifo) { add(fifo.write_port()); });
+        each_of(in_, [this](auto& fifo) {
+            clock_->require_end(fifo, fifo.read_port(), false);
+            add(fifo.read_port());
+        });
+        each_of(out_, [this](auto& fifo) {
+            clock_->require_end(fifo, fifo.write_port(), true);
+            add(fifo.write_port());
+        });
     }
     /// What iterations access besides: the external memory.
     void also_accesses(timing::Ports ports) { ports_ = ports_ | ports; }

@@ -93,6 +93,91 @@ TEST_CASE("a core has a result for each sample, unless it is stuck") {
     check_both(pair, "stuck 1");
 }
 
+TEST_CASE("a core makes all modules that are described, and a channel for each FIFO") {
+    Pair pair = sound_pair();
+    pair.has_reader = false;
+    check_both(pair,
+               "module reader is described, but the core has no such module, expected it made in the core's "
+               "constructor");
+    pair = sound_pair();
+    pair.has_channels = false;
+    check_both(pair,
+               "the FIFO f of module writer has no channel, expected a ClockedFifo made with its fifo_timing() in the "
+               "core");
+}
+
+TEST_CASE("an end of a FIFO that is another module's is refused in the name of who uses it") {
+    std::string const writer_reads =
+        "module writer reads f, which its describe() does not say, expected reads_from(\"f\")";
+    auto const refused_in_loop = [&](std::function<void(ClockedFifo<Token>&)> const& access) {
+        for (std::uint64_t const first : {0U, 3U}) {  // later, the reader waits in an iteration that may read
+            CAPTURE(first);
+            Pair pair = sound_pair();
+            pair.writes = [&](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+                clock.pipeline("send", 10, [&](std::uint64_t i) {
+                    fifo.write(1);
+                    if (i >= first)
+                        access(fifo);
+                });
+            };
+            check_both(pair, writer_reads);
+        }
+    };
+    refused_in_loop([](ClockedFifo<Token>& fifo) { fifo.read(); });
+    refused_in_loop([](ClockedFifo<Token>& fifo) {
+        Token token = 0;
+        fifo.read_nb(token);
+    });
+    refused_in_loop([](ClockedFifo<Token>& fifo) { static_cast<void>(fifo.empty()); });
+    Pair pair = sound_pair();
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("send", 10, token_ports(std::tuple(&fifo), std::tuple(&fifo)), [](Token, Token&) {});
+    };
+    check_both(pair, writer_reads);
+    pair = sound_pair();
+    pair.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.advance(1);
+        fifo.write(1);
+    };
+    check_both(pair, "module reader writes f, which its describe() does not say, expected writes_to(\"f\")");
+}
+
+TEST_CASE("of two modules that make mistakes, that is told which is described first, whichever comes first in time") {
+    auto const waits_and_throws = [](Cycles cycles) {
+        return [cycles](ProcessClock& clock, ClockedFifo<Token>&) {
+            clock.advance(cycles);
+            throw 7;
+        };
+    };
+    for (Cycles const cycles : {1U, 10U}) {
+        Pair pair = sound_pair();
+        pair.writes = waits_and_throws(cycles);
+        pair.reads = waits_and_throws(5);
+        check_both(pair, "module writer has thrown what is no std::exception in sample 0, expected work() to return");
+    }
+}
+
+TEST_CASE("a module without a port to the memory is told that it has none, whether or not there is a memory") {
+    std::string const refused =
+        "module writer accesses the memory, to which it has no port, expected fetches() or stores() in its describe()";
+    Pair pair = sound_pair();
+    auto const sends = pair.writes;
+    pair.writes = [sends](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.tell_ranges({{64, 5, 4}});
+        sends(clock, fifo);
+    };
+    check_both(pair, refused);
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        clock.pipeline("send", 10, [&](std::uint64_t) {
+            fifo.write(1);
+            clock.access_memory();
+        });
+    };
+    check_both(pair, refused);
+    pair.writer.stores("output").given_by("send");
+    check_both(pair, "14");
+}
+
 TEST_CASE("a FIFO that an iteration accesses twice, or that its loop does not name, is told") {
     Pair pair = sound_pair();
     pair.reads = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {

@@ -43,6 +43,8 @@ struct Pair {
     Work writes, reads;
     std::optional<std::size_t> results = {};  ///< that the core has in the end; as many as samples
     std::string bound_to = {};                ///< the FIFO to which the reader's port is bound
+    bool has_channels = true;                 ///< the core makes its FIFOs
+    bool has_reader = true;                   ///< the core makes its second module
 };
 
 class PairCore : public DataflowCore {
@@ -51,9 +53,11 @@ class PairCore : public DataflowCore {
              TimeBase const& time_base, Pair const& pair)
         : DataflowCore(name, machine, share, time_base), results_(pair.results) {
         for (MachineFifo const& fifo : machine->fifos)
-            make_fifo<Token>(fifo.name);
+            if (pair.has_channels)
+                make_fifo<Token>(fifo.name);
         workers_.push_back(std::make_unique<Worker>("writer", *this, pair.writes));
-        workers_.push_back(std::make_unique<Worker>("reader", *this, pair.reads));
+        if (pair.has_reader)
+            workers_.push_back(std::make_unique<Worker>("reader", *this, pair.reads));
         if (!pair.bound_to.empty())
             workers_.back()->port(fifo<Token>(pair.bound_to));
     }

@@ -208,6 +208,12 @@ TEST_CASE("A bad matrix is refused with its line") {
     check("- {}\n- {accelerator.window: 3}\n", {"matrix.yaml:2", "accelerator.window"});
     check("- {}\n- {accelerator.raster_cores: many}\n", {"matrix.yaml:2", "expected an integer"});
     check("- {accelerator.raster_cores: [3]}\n", {"matrix.yaml:1", "expected one value"});
+    workspace.folder().write("matrix.yaml", "{}\n");
+    std::string const refused = workspace.whatif({"--matrix", "matrix.yaml"}).err;
+    std::string const such_as = "such as ";
+    REQUIRE_THAT(refused, Contains(such_as));
+    workspace.folder().write("matrix.yaml", refused.substr(refused.find(such_as) + such_as.size()));
+    require_done(workspace.whatif({"--matrix", "matrix.yaml"}));
 }
 
 TEST_CASE("What is no event file is refused with one line") {
@@ -234,7 +240,8 @@ TEST_CASE("sensitivities of an event file are those of the run, with slack") {
     require_done(workspace.tool({"run", "config.yaml", "--sensitivities", "--out", "run"}));
     CommandResult const result = workspace.tool({"sensitivities", "events", "--csv", "s.csv", "--json", "s.json"});
     require_done(result);
-    CHECK_THAT(result.out, Contains("Slack: how far one key alone may go"));
+    CHECK_THAT(result.out, Contains("Slack: how far one key alone may go without costing a cycle, if more of a change "
+                                    "never costs less\n"));
     std::vector<std::string> const rows = lines_of(workspace.text("s.csv"));
     std::vector<std::string> const of_run = lines_of(workspace.text("run/sensitivities.csv"));
     REQUIRE(rows.size() == of_run.size());

@@ -19,6 +19,7 @@
 #include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/design.hpp"
 #include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/plain_text.hpp"
 #include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/run/config/settings_list.hpp"
 #include "dataflow/run/events/event_file.hpp"
@@ -115,13 +116,22 @@ LoadedConfig config_of_row(std::string const& matrix, Settings const& row, Loade
     }
 }
 
+/// A key that a row may change, with its value in the recorded run.
+std::string example_setting(RunConfig const& recorded) {
+    Keys const keys = retimable_keys(recorded);
+    auto const integer =
+        std::find_if(keys.begin(), keys.end(), [](Key const& key) { return key.kind == KeyKind::integer; });
+    Key const& key = integer != keys.end() ? *integer : keys.front();  // a clock, if nothing else
+    return key.name() + ": " + plain_text(key.read(recorded));
+}
+
 int retime_matrix(WhatifRequest const& request, events::EventFile const& recorded, LoadedConfig const& base) {
     CommandPaths paths;
     paths.reads(request.events);
     paths.reads(request.matrix);
     paths.writes("--csv", request.csv);
     auto const csv = io::optional_output_file(request.csv);
-    std::vector<Settings> const list = read_settings_list(request.matrix);
+    std::vector<Settings> const list = read_settings_list(request.matrix, example_setting(recorded.loaded.config));
     std::vector<Machine> machines;
     report::WhatifTable table(machine_of(recorded.loaded.config), recorded.samples);
     for (Settings const& row : list) {

@@ -4,7 +4,6 @@
 
 #include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/input_error.hpp"
-#include "dataflow/run/config/keys.hpp"
 #include "dataflow/run/config/value_reader.hpp"
 
 namespace dataflow {
@@ -14,11 +13,11 @@ namespace {
     throw InputError(fmt::format("{}:{}: {}", path.string(), line, what));
 }
 
-Settings read_item(std::filesystem::path const& path, YAML::Node const& item) {
+Settings read_item(std::filesystem::path const& path, YAML::Node const& item, std::string const& example) {
     Settings settings;
     settings.line = item.Mark().line + 1;
     if (!item.IsMap())
-        fail(path, settings.line, fmt::format("{}, expected a map such as {{{}: 4}}", shown(item), example_key()));
+        fail(path, settings.line, fmt::format("{}, expected a map such as {{{}}}", shown(item), example));
     KeyFaults faults;
     for (MapEntry const& entry : read_entries(item, "", faults)) {
         if (!entry.value.IsScalar())
@@ -32,14 +31,13 @@ Settings read_item(std::filesystem::path const& path, YAML::Node const& item) {
 
 }  // namespace
 
-std::vector<Settings> read_settings_list(std::filesystem::path const& path) {
+std::vector<Settings> read_settings_list(std::filesystem::path const& path, std::string const& example) {
     YAML::Node const root = load_document(path, "a list of settings");
     if (!root.IsSequence())
-        fail(path, 1,
-             fmt::format("expected a list of maps, one per configuration, such as - {{{}: 4}}", example_key()));
+        fail(path, 1, fmt::format("expected a list of maps, one per configuration, such as - {{{}}}", example));
     std::vector<Settings> list;
     for (YAML::Node const& item : root)
-        list.push_back(read_item(path, item));
+        list.push_back(read_item(path, item, example));
     return list;
 }
 

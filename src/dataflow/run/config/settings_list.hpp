@@ -12,7 +12,7 @@ struct Settings {
 };
 
 /// Reads a YAML list of maps from keys ("a.b.c") to values. What the keys mean is not looked at. Throws InputError for
-/// anything else.
-std::vector<Settings> read_settings_list(std::filesystem::path const& path);
+/// anything else, with `example` for what a map may have: "a.b.c: value".
+std::vector<Settings> read_settings_list(std::filesystem::path const& path, std::string const& example);
 
 }  // namespace dataflow

@@ -98,7 +98,8 @@ template <class IsSame> void join_intervals(std::vector<Sensitivity>& rows, IsSa
 }
 
 std::string slack_text(RunStatistics const& run) {
-    std::string text = "\nSlack: how far one key alone may go without costing a cycle\n";
+    std::string text =
+        "\nSlack: how far one key alone may go without costing a cycle, if more of a change never costs less\n";
     std::vector<Sensitivity> rows = run.sensitivities;
     join_intervals(rows, has_same_slack);
     std::size_t const width = widest_key(rows);

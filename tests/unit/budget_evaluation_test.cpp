@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
+#include <utility>
 
+#include "dataflow/base/program_name.hpp"
 #include "dataflow/run/config/configuration_hash.hpp"
 #include "dataflow/tools/budgets/check_files.hpp"
 #include "dataflow/tools/budgets/check_result.hpp"
@@ -7,6 +9,7 @@
 #include "dataflow/tools/budgets/evaluate.hpp"
 #include "dataflow/tools/budgets/figure_pattern.hpp"
 #include "dataflow/tools/budgets/figures.hpp"
+#include "dataflow/tools/budgets/starting_budget.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
 #include "support/idle_run.hpp"
@@ -321,6 +324,23 @@ TEST_CASE("JUnit and JSON say of each limit whether it is kept, whatever the tex
     CHECK_THAT(json,
                Contains("\"passed\": false") && Contains("\"margin\": -2") && Contains("\"status\": \"crashed\""));
     CHECK(totals_text({breached, crashed}) == "2 budgets: 1 breached, 1 crashed\n");
+    std::string const name = std::exchange(dataflow::program_name(), "another");
+    CHECK_THAT(junit_xml({crashed}), Contains("<testsuites name=\"another check\""));
+    dataflow::program_name() = name;
+}
+
+TEST_CASE("A first budget leaves the slack that it names, and no more, to runs of any length") {
+    for (std::uint64_t const cycles : {1U, 431U, 1999U, 2001U, 1234567U}) {
+        CAPTURE(cycles);
+        Measurement measurement;
+        measurement.figures.set("total_cycles", cycles);
+        std::string const text = starting_budget({}, measurement, {}, "2026-01-02");
+        std::string const before = "total_cycles: {max: ";
+        REQUIRE_THAT(text, Contains(before) && Contains(" us, slack: 2}"));
+        double const max = std::stod(text.substr(text.find(before) + before.size())) * measurement.clock_mhz;
+        CHECK(max >= Approx(static_cast<double>(cycles)).epsilon(1e-9));
+        CHECK(max <= 1.001 * static_cast<double>(cycles));
+    }
 }
 
 }  // namespace budget_evaluation_test

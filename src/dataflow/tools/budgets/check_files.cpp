@@ -12,6 +12,7 @@
 #include "dataflow/base/json.hpp"
 #include "dataflow/base/markup_text.hpp"
 #include "dataflow/base/printable.hpp"
+#include "dataflow/base/program_name.hpp"
 #include "dataflow/tools/budgets/check_text.hpp"
 
 namespace dataflow::budgets {
@@ -214,9 +215,9 @@ std::string junit_xml(std::vector<CheckResult> const& results) {
         suites += suite(result, names[i]);
     }
     return fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"faster-sim check\" {}>\n{}"
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{} check\" {}>\n{}"
         "</testsuites>\n",
-        attributes(all, seconds), suites);
+        xml_text(program_name()), attributes(all, seconds), suites);
 }
 
 }  // namespace dataflow::budgets

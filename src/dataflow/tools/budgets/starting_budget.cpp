@@ -43,14 +43,22 @@ bool has_any(Measurement const& measurement, char const* figures) {
     return std::any_of(all.begin(), all.end(), [&](Figure const& figure) { return pattern.matches(figure.name); });
 }
 
+/// So many digits that rounding up adds less than a thousandth: the slack is what a limit leaves room for.
+std::string rounded_up(double microseconds) {
+    int const decimals =
+        microseconds <= 0 ? 0 : std::max(0, 3 - static_cast<int>(std::floor(std::log10(microseconds))));
+    double const scale = std::pow(10, decimals);
+    return fmt::format("{:.{}f}", std::ceil(microseconds * scale) / scale, decimals);
+}
+
 std::string limit_lines(Measurement const& measurement, GuardedFigures const& guarded) {
     auto const total = static_cast<double>(measurement.figures.find("total_cycles").value_or(0));
     std::string text = fmt::format(
         "\nlimits:\n"
         "  # The whole run: {:.0f} cycles today. A time counts at accelerator.clock_mhz; slack is what may come on "
         "top, in percent.\n"
-        "  total_cycles: {{max: {:.0f} us, slack: {}}}\n",
-        total, std::ceil(total / measurement.clock_mhz), slack);
+        "  total_cycles: {{max: {} us, slack: {}}}\n",
+        total, rounded_up(total / measurement.clock_mhz), slack);
     if (measurement.figures.find("samples").value_or(0) > 0)
         text += fmt::format(
             "  # No sample takes longer than it does today{}.\n"

@@ -79,6 +79,17 @@ std::string button(std::string const& text) {
     return "[...document.querySelectorAll('button')].find((b) => b.textContent == '" + text + "')";
 }
 
+/// Writes into the field of a number and leaves it.
+std::string typed(std::string const& field, std::string const& text) {
+    return "document.querySelector(\"" + field + "\").value = '" + text + "'; document.querySelector(\"" + field +
+           "\").dispatchEvent(new Event('change')); 0";
+}
+
+/// Texts of the graph that are wider than their boxes.
+constexpr char const* too_wide =
+    "[...document.querySelectorAll('#graph-box text')].filter((text) => text.getBoundingClientRect().width > "
+    "text.parentNode.querySelector('rect').getBoundingClientRect().width).map((text) => text.textContent)";
+
 /// A phone, a laptop and a screen.
 constexpr std::array<int, 3> widths{390, 1440, 1920};
 
@@ -158,6 +169,73 @@ TEST_CASE("A link with a key that there is not shows the recorded run, and says 
         page.browser().becomes_true("document.getElementById('complaint').textContent.includes('did you mean "
                                     "accelerator.fifos.vertex.depth?')"));
     CHECK(page.cycles() == recorded);
+
+    for (char const* text : {"%E0%A4%A", "xxxx"}) {
+        page.browser().open("about:blank");
+        page.open("#" + std::string(text));
+        CHECK(page.browser().becomes_true("document.getElementById('complaint').textContent.includes('--set " +
+                                          std::string(text) + "')"));
+    }
+    page.check_soundness();
+}
+
+TEST_CASE("While an answer is worked out the headline says so, and a bad value takes no other change with it",
+          "[browser]") {
+    if (browser_is_missing())
+        return;
+    Page page(700);
+    std::string const box = " input[type=number]", depth = "[data-key='accelerator.fifos.command.depth']" + box,
+                      changed = "#accelerator.fifos.edge_token.depth=16";
+    page.browser().value(
+        "at_once = fetch; fetch = (what, how) => what == 'retime' ? new Promise((go) => { answer = go; }).then(() => "
+        "at_once(what, how)) : at_once(what, how); 0");
+    page.browser().value(typed(depth, "0"));
+    page.browser().value(typed("[data-key='accelerator.fifos.edge_token.depth']" + box, "16"));
+    std::string const is_waiting = "document.getElementById('headline').ariaBusy == 'true'";
+    CHECK(page.browser().becomes_true(is_waiting));
+    CHECK(page.browser().value("document.querySelector('#headline .change').textContent") == "working it out");
+    page.browser().value("fetch = at_once; answer(); 0");
+    page.await_changes(1);
+    CHECK(page.fragment() == changed);
+    CHECK(page.browser().value(is_waiting) == false);
+    CHECK(page.browser().value("document.querySelector('#headline .change').textContent") != "working it out");
+    CHECK(page.browser().value("document.querySelector(\"" + depth + "\").value") == "2");
+    CHECK(page.browser().value("document.getElementById('complaint').textContent") ==
+          "--set accelerator.fifos.command.depth=0: expected an integer from 1 to 1048576");
+    CHECK(page.cycles() == page.cycles_of_tool({"whatif", "events", "--set", changed.substr(1)}));
+
+    page.browser().click("nav a[href='#loops']");  // another place in the page, and no other configuration
+    CHECK(page.browser().becomes_true("location.hash.includes('edge_token')"));
+    CHECK(page.fragment() == changed);
+    CHECK(page.browser().value(
+              "((list) => list.scrollWidth <= list.clientWidth)(document.getElementById('key-list'))") == true);
+    CHECK(page.browser().value("((ticks) => new Set(ticks).size == ticks.length)(Chart.getChart(document.querySelector("
+                               "'#tried-chart canvas')).scales.y.ticks.map((tick) => tick.label))") == true);
+    page.check_soundness();
+}
+
+TEST_CASE("The page has a choice for what is true or false, and draws no memory that there is not", "[browser]") {
+    if (browser_is_missing())
+        return;
+    Page page(1280, "accelerator.architecture=next_zcu102");
+    std::string const choice = "[data-key='accelerator.memory.prefetch'] select";
+    CHECK(page.browser().value("[...document.querySelectorAll(\"" + choice + " option\")].map((o) => o.value)") ==
+          Json::array({"true", "false"}));
+    CHECK(page.browser().value("document.querySelector(\"" + choice + "\").value") == "false");
+    page.browser().value(typed(choice, "true"));
+    page.await_changes(1);
+    CHECK(page.fragment() == "#accelerator.memory.prefetch=true");
+    CHECK(page.cycles() == page.cycles_of_tool({"whatif", "events", "--set", "accelerator.memory.prefetch=true"}));
+
+    CHECK(page.browser().becomes_true("/banks of/.test(document.getElementById('graph-box').textContent)"));
+    CHECK(page.browser().value(too_wide) == Json::array());
+    CHECK(page.browser().value("[...document.querySelectorAll('#graph-box .bram')].map((bram) => bram.dataset.part)"
+                               ".includes('bram:edge_map')") == false);
+    CHECK(page.browser().value("[...document.querySelectorAll('#timeline .legend li')].map((li) => "
+                               "li.textContent.trim()).includes('loop')") == false);
+    page.browser().value(typed("#timeline-controls input[type=number]", ""));
+    CHECK(page.browser().becomes_true(
+        "document.getElementById('timeline-note').textContent == 'sample = \"\", expected a whole number'"));
     page.check_soundness();
 }
 

@@ -102,6 +102,8 @@ Json loop_schedules(RunConfig const& config) {
 
 /// Without those of which a recording does not know enough.
 std::vector<std::string> retimable_choices(Key const& key, RunConfig const& recorded) {
+    if (key.kind == KeyKind::boolean)
+        return {plain_text(true), plain_text(false)};
     std::vector<std::string> choices = key.choices;
     auto const is_unknown = [&](std::string const& choice) {
         RunConfig changed = recorded;

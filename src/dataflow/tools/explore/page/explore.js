@@ -1,6 +1,7 @@
 // The page of an exploration: every change is retimed by the server and drawn here.
 
 const drag_pause_ms = 60; // without a new total, before the rest is drawn
+const soon_ms = 200; // an answer that takes no longer is waited for without a word
 const rest_ms = 800; // without a new total, before steps from there are worked out
 
 class Explorer {
@@ -9,7 +10,7 @@ class Explorer {
     this.changes = new Map();
     this.keys = new KeyList((key, value, is_settled) => this.change(key, value, is_settled));
     this.graph = DataflowGraph.is_there() ? new DataflowGraph(by_id("graph-box"), (kind, name) => this.select(kind, name)) : null;
-    this.retimer = new Latest("retime", (figures, context, is_stale) => this.retimed(figures, context, is_stale), (error, context) => this.failed(error, context));
+    this.retimer = new Latest("retime", (figures, context, is_stale) => this.retimed(figures, context, is_stale), (error, context, is_stale) => this.failed(error, context, is_stale));
     this.pather = new Latest("path", (path, context) => this.pathed(path, context), () => {});
     this.sensitivities = new BackgroundJob("sensitivities", ({ done, steps }) => { this.sensitivity_note.textContent = `sensitivities: ${done} of ${steps || "?"}`; });
     this.sizing = new Sizing(() => overrides_of(this.changes), (overrides) => this.put_over(overrides), (rows, base) => this.tried_by_search(rows, base));
@@ -17,7 +18,10 @@ class Explorer {
     this.add_actions();
     if (this.graph) by_id("graph-legend").append(graph_legend());
     else by_id("graph-box").append(element("p", { class: "note" }, "Not drawn: Graphviz's program dot, which places the parts, is not installed where faster-sim runs."));
-    addEventListener("hashchange", () => this.go_to(changes_of_hash(location.hash)));
+    addEventListener("hashchange", () => {
+      const changes = changes_of_hash(location.hash);
+      changes ? this.go_to(changes) : this.leave_address();
+    });
     addEventListener("keydown", (event) => this.key_down(event));
   }
 
@@ -45,8 +49,8 @@ class Explorer {
   begin(recorded) {
     this.pinned = recorded;
     new AnySample();
-    this.retimed(recorded, { changes: this.changes, is_settled: false, asked_at: performance.now() }, false);
-    this.go_to(changes_of_hash(location.hash));
+    this.retimed(recorded, { changes: this.changes, is_settled: false, complaint: "", asked_at: performance.now() }, false);
+    this.go_to(changes_of_hash(location.hash) || new Map());
   }
 
   set_options() {
@@ -94,22 +98,36 @@ class Explorer {
     this.tried.show(this.overrides);
   }
 
-  /// `is_settled`: what is chosen now goes into the history, once it is known to be sound.
-  retime(is_settled) {
+  /// `is_settled`: what is chosen now goes into the history, once it is known to be sound. `complaint`: about what was
+  /// chosen before.
+  retime(is_settled, complaint = "") {
     this.keys.show(this.changes);
     if (is_settled && this.figures && this.retimer.is_idle() && overrides_of(this.changes).join() === this.overrides.join())
       return this.settle(this.changes); // a drag has ended where its figures are known
-    this.retimer.want({ set: overrides_of(this.changes) }, { changes: new Map(this.changes), is_settled, asked_at: performance.now() });
+    this.retimer.want({ set: overrides_of(this.changes) }, { changes: new Map(this.changes), is_settled, complaint, asked_at: performance.now() });
+    this.wait_for_answer();
   }
 
-  retimed(figures, { changes, is_settled, asked_at }, is_stale) {
-    this.complain("");
+  /// In sight, if it takes long.
+  wait_for_answer() {
+    this.waiting ||= setTimeout(show_waiting, soon_ms);
+  }
+
+  answered(is_stale) {
+    clearTimeout(this.waiting);
+    this.waiting = 0;
+    show_headline(this.figures, this.pinned);
+    if (is_stale) this.wait_for_answer();
+  }
+
+  retimed(figures, { changes, is_settled, complaint, asked_at }, is_stale) {
+    this.complain(complaint);
     this.run_note.textContent = figures.run_again ? "run again, as an access that does not wait finds something else" : "";
     this.figures = figures;
     this.overrides = overrides_of(changes);
     if (is_settled) this.settle(changes);
     if (figures.outcome === "finished") this.tried.note({ overrides: this.overrides, cycles: figures.total_cycles, cost: figures.area.cost_of_cores });
-    show_headline(figures, this.pinned);
+    this.answered(is_stale);
     by_id("headline").dataset.milliseconds = performance.now() - asked_at;
     this.forget_sensitivities();
     if (is_stale) return;
@@ -153,12 +171,23 @@ class Explorer {
     this.show_rest(path);
   }
 
-  /// What was tried is not taken: the figures stay those of the last that was.
-  failed(error, { is_settled }) {
+  /// What was tried is not taken: the setting that the error is about, or if it names none all that were new, goes back to
+  /// what it was. With the others, the run is asked for again.
+  failed(error, { changes, is_settled }, is_stale) {
     this.complain(error.message);
+    this.answered(is_stale);
     if (!is_settled) return;
-    this.changes = new Map(this.history.now);
-    this.keys.show(this.changes);
+    const sound = this.history.now;
+    const tried = differing(changes, sound);
+    const named = tried.filter((key) => error.message.startsWith(`--set ${setting_of(key, changes.get(key))}:`));
+    for (const key of named.length > 0 ? named : tried) this.put_back(key, changes.get(key), sound);
+    if (tried.length > 0) this.retime(true, error.message);
+  }
+
+  /// Unless it is another value by now.
+  put_back(key, value, sound) {
+    if (this.changes.get(key) !== value) return;
+    sound.has(key) ? this.changes.set(key, sound.get(key)) : this.changes.delete(key);
   }
 
   complain(text) {
@@ -169,6 +198,7 @@ class Explorer {
   pin() {
     this.pinned = this.figures;
     show_headline(this.figures, this.pinned);
+    if (this.waiting) show_waiting();
     show_moved(this.figures, this.pinned);
   }
 

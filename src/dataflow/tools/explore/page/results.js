@@ -30,6 +30,16 @@ function show_headline(figures, pinned) {
     area("RAMB36 of a core's FIFOs", (f) => f.area.ramb36, (value) => decimal(value, 1)),
     area("RAMB36 of its memories", (f) => f.area.memories_ramb36, (value) => decimal(value, 1)),
     area("LUT-equivalents of all cores", (f) => f.area.cost_of_cores, whole));
+  by_id("headline").removeAttribute("aria-busy");
+}
+
+/// What stands there is of what was asked for before.
+function show_waiting() {
+  by_id("headline").setAttribute("aria-busy", true);
+  document.querySelectorAll("#headline .change").forEach((note, i) => {
+    note.className = "change";
+    note.textContent = i === 0 ? "working it out" : "";
+  });
 }
 
 /// A row per figure that differs: {what, figure, before, now}.

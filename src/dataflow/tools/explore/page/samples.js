@@ -26,7 +26,7 @@ class AnySample {
 
   /// With what is changed now.
   ask() {
-    this.request = { set: explorer.overrides, sample: Number(this.sample.value) };
+    this.request = { set: explorer.overrides, sample: number_in(this.sample) };
     this.say("Working it out");
     this.asked.want(this.request, this.request);
   }

@@ -9,6 +9,11 @@ async function ask(question, request) {
   return answer;
 }
 
+/// What is in the field of a number: of an empty one none, so that the server refuses it.
+function number_in(field) {
+  return field.value === "" ? "" : Number(field.value);
+}
+
 /// Asks for the newest only: what was wanted meanwhile and is not any more is never asked for.
 class Latest {
   constructor(question, answered, failed) {
@@ -29,7 +34,7 @@ class Latest {
       this.wanted = null;
       await ask(this.question, asked.request).then(
         (answer) => this.answered(answer, asked.context, this.wanted !== null),
-        (error) => this.failed(error, asked.context));
+        (error) => this.failed(error, asked.context, this.wanted !== null));
     }
     this.is_asking = false;
   }

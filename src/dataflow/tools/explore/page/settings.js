@@ -2,19 +2,24 @@
 
 const key_rows = new Map(data.keys.map((row) => [row.key, row]));
 
-/// "a.b.c=value" of all keys that differ from the recorded run, in the order of the keys; what a link has besides, of
+/// "a.b.c=value"; without a value what a link has instead of a setting.
+function setting_of(key, value) {
+  return value === null ? key : `${key}=${value}`;
+}
+
+/// The settings of all keys that differ from the recorded run, in the order of the keys; what a link has besides, of
 /// which the server will say what it is, comes last.
 function overrides_of(changes) {
   const known = data.keys.map(({ key }) => key).filter((key) => changes.has(key));
   const others = [...changes.keys()].filter((key) => !key_rows.has(key));
-  return [...known, ...others].map((key) => `${key}=${changes.get(key)}`);
+  return [...known, ...others].map((key) => setting_of(key, changes.get(key)));
 }
 
 function changes_of(overrides) {
   const changes = new Map();
   for (const setting of overrides) {
     const equals = setting.indexOf("=");
-    const [key, value] = [setting.slice(0, equals), setting.slice(equals + 1)];
+    const [key, value] = equals < 0 ? [setting, null] : [setting.slice(0, equals), setting.slice(equals + 1)];
     const row = key_rows.get(key);
     if (!row || row.value !== value) changes.set(key, value);
   }
@@ -26,9 +31,25 @@ function hash_of(changes) {
   return "#" + overrides_of(changes).map((setting) => encodeURIComponent(setting).replaceAll("%3D", "=")).join("&");
 }
 
+/// Null: it is a place in the page.
 function changes_of_hash(hash) {
   const text = hash.replace(/^#/, "");
-  return text.includes("=") ? changes_of(text.split("&").map(decodeURIComponent)) : new Map();
+  if (by_id(text)) return null;
+  return changes_of(text === "" ? [] : text.split("&").map(decoded));
+}
+
+/// As it is, if it is not encoded as an address is.
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+/// Keys with different values.
+function differing(changes, others) {
+  return [...new Set([...changes.keys(), ...others.keys()])].filter((key) => changes.get(key) !== others.get(key));
 }
 
 /// Configurations in the order in which they were chosen, with a place among them.

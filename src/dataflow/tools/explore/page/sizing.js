@@ -35,7 +35,7 @@ class Sizing {
     by_id("sizing-table").replaceChildren();
     try {
       const base = this.overrides();
-      const sizing = await this.job.start({ set: base, within: Number(this.within.value) });
+      const sizing = await this.job.start({ set: base, within: number_in(this.within) });
       sizing ? this.show(sizing, base) : this.say("Cancelled.");
     } catch (error) {
       this.say(error.message);
@@ -121,7 +121,7 @@ class Tried {
         onClick: (event, items) => { if (items.length > 0) this.chosen(items[0].element.$context.raw.row.overrides); },
         scales: {
           x: { title: axis_title("cost of FIFOs and memories of all cores [LUT-equivalents]") },
-          y: { title: axis_title("cycles"), ticks: { callback: (value) => whole(value) } },
+          y: { title: axis_title("cycles"), ticks: whole_ticks },
         },
         plugins: { tooltip: { callbacks: { label: (item) => `${whole(item.raw.y)} cycles, ${whole(item.raw.x)} LUT-equivalents: ${item.raw.row.overrides.join(" ") || "as recorded"}` } } },
       },

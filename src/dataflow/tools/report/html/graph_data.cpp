@@ -33,9 +33,12 @@ class DotGraph {
             "fontname=\"Courier\",arrowsize=0.7];\n",
             direction);
     }
-    void add_node(std::string const& id, std::string const& kind, std::string const& name, double height_inch) {
-        constexpr double letter_inch = 0.1, least_inch = 1.1;
-        double const width = std::max(least_inch, letter_inch * static_cast<double>(name.size() + 2));
+    /// `below`: the longest text below the name.
+    void add_node(std::string const& id, std::string const& kind, std::string const& name, double height_inch,
+                  std::string_view below = "") {
+        constexpr double letter_inch = 0.1, small_letter_inch = 0.09, least_inch = 1.1;
+        double const width = std::max({least_inch, letter_inch * static_cast<double>(name.size() + 2),
+                                       small_letter_inch * static_cast<double>(below.size())});
         fmt::format_to(std::back_inserter(text_), "{}[width={:.2f},height={:.2f}];\n", id, width, height_inch);
         nodes_.push_back({id, kind + ":" + name});
     }
@@ -61,12 +64,26 @@ std::string id(char kind, std::size_t number) { return kind + std::to_string(num
 std::string stream_edge(MachineStream const& stream) { return "memory:" + stream.name; }
 std::string owner_edge(MachineMemory const& memory) { return "bram:" + memory.name; }
 
+/// Without those that the configuration has not.
+std::vector<std::size_t> drawn_brams_of(Machine const& machine) {
+    std::vector<std::size_t> brams = brams_of(machine);
+    auto const is_nothing = [&machine](std::size_t i) { return machine.memories[i].shape.words == 0; };
+    brams.erase(std::remove_if(brams.begin(), brams.end(), is_nothing), brams.end());
+    return brams;
+}
+
+/// As long as the one that the page makes.
+std::string ports_text(MachineMemory const& memory) {
+    std::uint64_t const banks = memory.partition.banks();
+    return (banks > 1 ? fmt::format("{} banks of ", banks) : "") + fmt::format("{} ports", memory.ports);
+}
+
 DotGraph graph_of(Machine const& machine, char const* direction) {
     DotGraph graph(direction);
     for (std::size_t const i : modules_of(machine))
-        graph.add_node(id('p', i), "process", machine.processes[i].name, 0.55);
-    for (std::size_t const i : brams_of(machine))
-        graph.add_node(id('m', i), "bram", machine.memories[i].name, 0.45);
+        graph.add_node(id('p', i), "process", machine.processes[i].name, 0.55, "100.0 % of path");
+    for (std::size_t const i : drawn_brams_of(machine))
+        graph.add_node(id('m', i), "bram", machine.memories[i].name, 0.45, ports_text(machine.memories[i]));
     std::vector<std::size_t> const streams = machine.external_memory ? streams_of(machine) : std::vector<std::size_t>{};
     if (!streams.empty())
         graph.add_node("x0", "memory", "external memory", 0.45);
@@ -74,7 +91,7 @@ DotGraph graph_of(Machine const& machine, char const* direction) {
         MachineFifo const& fifo = machine.fifos[i];
         graph.add_edge(id('p', fifo.writer), id('p', fifo.reader), "fifo:" + fifo.name, fifo.name.size() + 2);
     }
-    for (std::size_t const i : brams_of(machine)) {
+    for (std::size_t const i : drawn_brams_of(machine)) {
         MachineMemory const& memory = machine.memories[i];
         graph.add_edge(id('m', i), id('p', memory.owner), owner_edge(memory), 0, ",dir=none");
         if (memory.reader != memory.owner && machine.processes[memory.reader].is_present)

@@ -13,6 +13,17 @@ function curve_path({ points, tip }) {
   return `M${first}C${rest.join(" ")}` + (tip ? `L${tip[0]} ${tip[1]}` : "");
 }
 
+/// Squeezes a text that is wider than the box around it: fonts differ, and what it says may have changed since the box
+/// was placed.
+function fit_texts(svg) {
+  for (const text of svg.querySelectorAll("text")) {
+    const room = text.parentNode.querySelector("rect").getAttribute("width") - 6;
+    if (text.getComputedTextLength() <= room) continue;
+    text.setAttribute("textLength", room);
+    text.setAttribute("lengthAdjust", "spacingAndGlyphs");
+  }
+}
+
 const least_scale = 0.86; // of text that can be read
 const graph_margin = 4;
 
@@ -54,6 +65,7 @@ class DataflowGraph {
     for (const process of data.graph.processes) this.add_process(svg, layout, process);
     const focused = document.activeElement && document.activeElement.dataset ? document.activeElement.dataset.part : null;
     this.box.replaceChildren(svg);
+    fit_texts(svg);
     if (focused) for (const part of svg.querySelectorAll("[data-part]")) if (part.dataset.part === focused) part.focus();
   }
 
@@ -174,7 +186,9 @@ class DataflowGraph {
   }
 
   add_memory(svg, layout, { bram, owner, ports, banks }) {
-    const { at: [x, y], width, height } = layout.nodes[`bram:${bram}`];
+    const node = layout.nodes[`bram:${bram}`];
+    if (!node) return; // the configuration has no such memory
+    const { at: [x, y], width, height } = node;
     const now = (this.figures.brams || []).find((row) => row.bram === bram) || { ports, banks };
     const of_banks = now.banks > 1 ? `${now.banks} banks of ` : "";
     const text = of_banks + count_of(now.ports, "port");

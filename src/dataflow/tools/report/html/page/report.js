@@ -326,7 +326,7 @@ function traffic_lines() {
       line("longest queue [bursts]", (s) => s.largest_queue, "memory_stall", "queue"),
     ] },
     options: { scales: {
-      x: { type: "linear", title: axis_title("cycle"), ticks: { maxRotation: 0, callback: (value) => whole(value) } },
+      x: { type: "linear", title: axis_title("cycle"), ticks: whole_ticks },
       y: { beginAtZero: true, title: axis_title("bytes per cycle") },
       queue: { beginAtZero: true, position: "right", grid: { display: false }, title: axis_title("bursts") },
     } },

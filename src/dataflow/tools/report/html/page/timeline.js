@@ -13,20 +13,26 @@ function strength(span) {
   return Math.round(255 * (0.3 + 0.7 * Math.min(1, share))).toString(16).padStart(2, "0");
 }
 
-/// The loops of a module in their order, a colour each.
+/// The loops of a module in their order; so are their colours, again from the first when there are no more.
 function loops_of(module) {
   return data.loops.filter((row) => row.core === 0 && row.module === module).map((row) => row.loop);
 }
 
+const loop_colours = 3;
+
+function loop_colour(i) {
+  return `loop-${i % loop_colours}`;
+}
+
 function span_colour(span) {
-  return colour(span.kind === "loop" ? "loop-" + loops_of(span.module).indexOf(span.item) : span.kind);
+  return colour(span.kind === "loop" ? loop_colour(loops_of(span.module).indexOf(span.item)) : span.kind);
 }
 
 /// Names of the loops by colour, then the stalls.
 function timeline_legend() {
-  const names = [new Set(), new Set(), new Set()];
-  for (const row of data.modules) loops_of(row.module).forEach((loop, i) => names[i].add(loop));
-  const loops = names.map((set, i) => ["loop-" + i, "loop " + [...set].join(", ")]);
+  const names = Array.from({ length: loop_colours }, () => new Set());
+  for (const row of data.modules) loops_of(row.module).forEach((loop, i) => names[i % loop_colours].add(loop));
+  const loops = names.map((set, i) => [loop_colour(i), "loop " + [...set].join(", ")]).filter((_, i) => names[i].size > 0);
   const memory = data.cycle_classes.includes("memory_stall") ? [["memory_stall", "memory stall"]] : [];
   return legend([...loops, ["empty_stall", "empty stall"], ["full_stall", "full stall"], ...memory]);
 }
@@ -145,7 +151,7 @@ class Timeline {
         indexAxis: "y",
         interaction: { mode: "nearest", intersect: true },
         scales: {
-          x: { ...this.part(), title: axis_title("cycle"), ticks: { maxRotation: 0, callback: (value) => whole(value) } },
+          x: { ...this.part(), title: axis_title("cycle"), ticks: whole_ticks },
           y: { grid: { display: true }, ticks: { autoSkip: false } },
         },
         plugins: {

@@ -209,6 +209,9 @@ TEST_CASE("While an answer is worked out the headline says so, and a bad value t
     CHECK(page.fragment() == changed);
     CHECK(page.browser().value(
               "((list) => list.scrollWidth <= list.clientWidth)(document.getElementById('key-list'))") == true);
+    CHECK(page.browser().value(
+              "[...document.querySelectorAll('.key > select ~ .back')].every((back) => back.offsetTop == "
+              "back.parentNode.querySelector('select').offsetTop)") == true);
     CHECK(page.browser().value("((ticks) => new Set(ticks).size == ticks.length)(Chart.getChart(document.querySelector("
                                "'#tried-chart canvas')).scales.y.ticks.map((tick) => tick.label))") == true);
     page.check_soundness();

@@ -17,7 +17,7 @@ function curve_path({ points, tip }) {
 /// was placed.
 function fit_texts(svg) {
   for (const text of svg.querySelectorAll("text")) {
-    const room = text.parentNode.querySelector("rect").getAttribute("width") - 6;
+    const room = text.parentNode.querySelector("rect").getAttribute("width") - 4;
     if (text.getComputedTextLength() <= room) continue;
     text.setAttribute("textLength", room);
     text.setAttribute("lengthAdjust", "spacingAndGlyphs");

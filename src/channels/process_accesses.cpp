@@ -17,7 +17,7 @@ namespace {
 }
 }  // namespace
 
-void ProcessClock::require_own(FifoChannel const& fifo, bool writes) const {
+void ProcessClock::require_calling(FifoChannel const& fifo, bool writes) const {
     std::optional<std::size_t> const running = dataflow_core_.running_process(timing_.index());
     if (running && *running != timing_.index())
         refuse_end(dataflow_core_.machine().processes[*running].name, fifo.basename(), writes);

@@ -163,10 +163,10 @@ bool ProcessClock::attempts_in(FifoChannel const& /*fifo*/, timing::Ports port, 
 
 bool ProcessClock::decide(timing::Ports port, bool only_asks, std::uint64_t iterations_behind) {
     if (dataflow_core_.has_failed())
-        sc_core::wait(sc_core::sc_event());  // for ever: a core of which a process has failed is not to go on by asking
+        suspend(sc_core::sc_event());  // for ever: a core of which a process has failed is not to go on by asking
     for (sc_core::sc_time left = left_until(timing_.local_time()); left > sc_core::SC_ZERO_TIME;
          left = left_until(timing_.local_time()))
-        sc_core::wait(left);
+        suspend(left);
     bool const found = timing_.found_at(port.first());
     say([=](OperationLog& log) {
         log.attempt(port.number(), found, only_asks, static_cast<std::uint32_t>(iterations_behind));

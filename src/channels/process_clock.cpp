@@ -229,7 +229,10 @@ void ProcessClock::put_off(std::uint64_t step, std::function<void()> taking, tim
     takings_.insert(at, std::move(due));
 }
 
-void ProcessClock::begin_sample() { dataflow_core_.begin_sample(timing_.index()); }
+void ProcessClock::begin_sample() {
+    dataflow_core_.begin_sample(timing_.index());
+    is_away_ = false;
+}
 
 void ProcessClock::end_sample() { dataflow_core_.end_sample(); }
 
@@ -254,9 +257,9 @@ void ProcessClock::let_out() {
 bool ProcessClock::follow_in_lockstep(std::uint64_t end) {
     using Status = timing::ProcessTiming::Status;
     bool has_waited = false;
-    auto const wait_for = [&has_waited](auto const& what) {
+    auto const wait_for = [&has_waited, this](auto const& what) {
         has_waited = true;
-        sc_core::wait(what);
+        suspend(what);
     };
     for (Status status = timing_.front(); status != Status::exhausted; status = timing_.front()) {
         if (is_held_ && timing_.in_loop() && timing_.front_step() >= end)
@@ -325,14 +328,14 @@ void ProcessClock::starve(FifoChannel& fifo, timing::Ports others) {
                 others = others | taking.reads;
     timing_.set_starving_with(others);
     fifo.reader_waits_ = true;
-    sc_core::wait(fifo.written_);
+    suspend(fifo.written_);
     timing_.set_starving(-1);
 }
 
 void ProcessClock::wait_for_room(FifoChannel& fifo) {
     std::uint32_t const open = std::exchange(open_, 0);
     fifo.writer_waits_ = true;
-    sc_core::wait(fifo.read_);
+    suspend(fifo.read_);
     open_ = open;
 }
 

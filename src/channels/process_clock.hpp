@@ -341,7 +341,10 @@ class ProcessClock {
     }
 
     /// Errors: InputError if the calling thread is that of another module of the core: it has no such end of the FIFO.
-    void require_own(FifoChannel const& fifo, bool writes) const;
+    void require_own(FifoChannel const& fifo, bool writes) const {
+        if (is_away_)
+            require_calling(fifo, writes);
+    }
     /// Errors: InputError if a FIFO's port that reads or writes is not the process's.
     void require_end(FifoChannel const& fifo, timing::Ports port, bool writes) const;
 
@@ -418,6 +421,12 @@ class ProcessClock {
     [[noreturn]] void refuse_in_tokens_body(std::string const& what) const;
     void require_memory(unsigned port) const;
     void require_memory_port() const;
+    void require_calling(FifoChannel const& fifo, bool writes) const;
+    template <class What> void suspend(What const& what) {
+        is_away_ = true;
+        sc_core::wait(what);
+        is_away_ = false;
+    }
     [[noreturn]] void refuse_both(std::string const& fifo) const;
     bool is_taken_by_loop() const;
     void enter_memory(unsigned loop);
@@ -471,6 +480,7 @@ class ProcessClock {
     std::vector<Interlock> interlocks_;
     std::map<FifoEnd::When, timing::Ports> hand_overs_;
     SourceSite site_;
+    bool is_away_ = true;  // its thread waits, or has not begun or is done: who calls now is another
     bool is_in_loop_ = false;
     bool collecting_ = false;
     timing::Ports collected_;

@@ -108,6 +108,7 @@ void ProcessClock::end_calls() {
                          std::to_string(tokens_accessed_) + ", expected all of them");
     timing_.tell_end(*log_);
     follow();
+    is_away_ = true;
 }
 
 /// Its module would tell of the step when it has the FIFO's token, too late for the burst to be asked for in its turn.

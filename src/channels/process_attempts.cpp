@@ -87,7 +87,8 @@ void ProcessClock::tell_behind_attempt(timing::Ports port) {
             "module " + timing_.name() + (timing_.writes(port.first()) ? " writes " : " reads ") +
             fifos_[port.first()]->timing().name() +
             " behind an access that does not wait and that is in a later stage, expected accesses in the " +
-            "order of their stages");
+            "order of their stages: other ones by accelerator.fifos.FIFO." +
+            (timing_.writes(port.first()) ? "write_latency" : "read_stage"));
     if (step == *last_attempt_)
         tell_ports();
 }

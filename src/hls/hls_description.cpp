@@ -45,16 +45,17 @@ class DiscoveredProcess {
     std::size_t stage_giver(Access const& access) const {
         std::size_t giver = loops_.size();
         for (std::size_t i = 0; i < loops_.size(); ++i)
-            if (uses(i, access) && (giver == loops_.size() || loops_[i].depth < loops_[giver].depth))
+            if (is_run(i) && uses(i, access) && (giver == loops_.size() || loops_[i].depth < loops_[giver].depth))
                 giver = i;
         return giver;
     }
-    bool uses(untimed::StreamBase const& stream) const {
-        return std::any_of(ends_.begin(), ends_.end(),
-                           [&stream](Access const& access) { return access.stream == stream.number(); });
-    }
+    bool accesses(Access const& access) const { return std::find(ends_.begin(), ends_.end(), access) != ends_.end(); }
     bool uses(std::size_t loop, Access const& access) const {
-        return std::find(used_in_[loop].begin(), used_in_[loop].end(), access) != used_in_[loop].end();
+        return recorder_.attempts_in(loop, access) ||
+               std::find(used_in_[loop].begin(), used_in_[loop].end(), access) != used_in_[loop].end();
+    }
+    bool attempts_before_reads(std::size_t loop, Access const& access) const {
+        return recorder_.attempts_before_reads(loop, access);
     }
 
   private:
@@ -80,10 +81,7 @@ class Describer {
         for (std::size_t i = 0; i < design.processes().size(); ++i)
             processes_.emplace_back(network_.recorder(i), network_.events()[i]);
         for (untimed::StreamBase const* const stream : design.streams())
-            if (std::none_of(processes_.begin(), processes_.end(),
-                             [stream](DiscoveredProcess const& process) { return process.uses(*stream); }))
-                throw InputError("stream " + stream->name() + " of the design is not used" +
-                                 untimed::expected_defaults);
+            require_used(*stream);
     }
 
     CoreDescription core() const {
@@ -96,6 +94,24 @@ class Describer {
   private:
     std::string const& name(std::size_t process) const { return design_.processes()[process].name; }
     std::string const& fifo(Access const& access) const { return design_.streams()[access.stream]->name(); }
+
+    void require_used(untimed::StreamBase const& stream) const {
+        bool const is_read = is_accessed({stream.number(), false});
+        bool const is_written = is_accessed({stream.number(), true});
+        if (is_read && is_written)
+            return;
+        std::string const& waiting = network_.waiting();
+        throw InputError("stream " + stream.name() + " of the design is not " +
+                         (is_read      ? "written"
+                          : is_written ? "read"
+                                       : "used") +
+                         (waiting.empty() ? "" : ", as without time " + waiting + " for ever,") +
+                         untimed::expected_defaults);
+    }
+    bool is_accessed(Access const& access) const {
+        return std::any_of(processes_.begin(), processes_.end(),
+                           [&access](DiscoveredProcess const& process) { return process.accesses(access); });
+    }
 
     ModuleDescription module(std::size_t number) const {
         DiscoveredProcess const& process = processes_[number];
@@ -131,13 +147,17 @@ class Describer {
         end.carries("tokens from " + module.name + " to " + reader_of(access.stream));
         if (stream.depth() > 0)
             end.of_depth(stream.depth());
+        end.may_keep_tokens = design_.may_keep_tokens(stream);
         end.makes_attempts = process.attempts(access);
         if (is_in_loop)
             end.leaves(process.loops()[giver].name, write_stage(process, giver, access));
     }
 
-    /// The last one; of a write that does not wait, one that is over when the next iteration begins to access anything.
+    /// The last one; of a write that does not wait, one that is over when the next iteration begins to access anything,
+    /// and no later than what the body reads behind it.
     static unsigned write_stage(DiscoveredProcess const& process, std::size_t loop, Access const& access) {
+        if (process.attempts_before_reads(loop, access))
+            return 0;
         LoopMark const& mark = process.loops()[loop];
         bool const only_writes = std::none_of(process.ends().begin(), process.ends().end(), [&](Access const& end) {
             return !end.writes && process.uses(loop, end);

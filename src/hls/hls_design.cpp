@@ -180,17 +180,20 @@ HlsCore::HlsCore(SimpleCoreParts const& parts, MakeHlsDesign const& make)
 
 HlsCore::~HlsCore() = default;
 
-void HlsCore::require_described(std::size_t process, char const* loop, Access const& access) const {
+void HlsCore::require_described(std::size_t process, char const* loop, Access const& access, bool is_attempt) const {
     std::string const& stream = design_->streams()[access.stream]->name();
-    if (!is_described(machine().processes[process], loop, machine().fifo(stream), access.writes))
+    if (!is_described(machine().processes[process], loop, machine().fifo(stream), access.writes, is_attempt))
         throw InputError("process " + machine().processes[process].name + (access.writes ? " writes" : " reads") +
-                         " stream " + stream + (loop != nullptr ? " in its loop " + std::string(loop) : "") +
-                         ", which it does not" + untimed::expected_defaults);
+                         " stream " + stream + (is_attempt ? " without waiting" : "") +
+                         (loop != nullptr ? " in its loop " + std::string(loop) : "") + ", which it does not" +
+                         untimed::expected_defaults);
 }
 
-/// A loop that only reads, in the first stage, need not say what.
-bool HlsCore::is_described(MachineProcess const& process, char const* loop, std::size_t fifo, bool writes) const {
-    auto const is_end = [&](MachineEnd const& end) { return end.fifo == fifo && end.writes == writes; };
+bool HlsCore::is_described(MachineProcess const& process, char const* loop, std::size_t fifo, bool writes,
+                           bool is_attempt) const {
+    auto const is_end = [&](MachineEnd const& end) {
+        return end.fifo == fifo && end.writes == writes && (!is_attempt || end.makes_attempts);
+    };
     if (std::none_of(process.ends.begin(), process.ends.end(), is_end))
         return false;
     if (loop == nullptr)
@@ -199,8 +202,7 @@ bool HlsCore::is_described(MachineProcess const& process, char const* loop, std:
         MachineLoop const& one = machine().loops[number];
         std::vector<std::size_t> const& fifos = writes ? one.writes : one.reads;
         if (one.name == loop)
-            return std::find(fifos.begin(), fifos.end(), fifo) != fifos.end() ||
-                   (!writes && one.writes.empty() && one.reads.empty());
+            return std::find(fifos.begin(), fifos.end(), fifo) != fifos.end();
     }
     return true;
 }

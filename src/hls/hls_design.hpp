@@ -5,6 +5,7 @@
 #include <functional>
 #include <hls_stream.h>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,7 @@ class HlsDesign {
 
     std::vector<untimed::ProcessCall> const& processes() const { return processes_; }
     std::vector<untimed::StreamBase*> const& streams() const { return streams_; }
+    bool may_keep_tokens(untimed::StreamBase const& stream) const { return keeping_.count(&stream) != 0; }
     void set_call(std::uint64_t number) { call_ = number; }
     /// Streams without a name get one, and all are made fit for keys. Once it is constructed. Errors: InputError
     void complete();
@@ -55,12 +57,15 @@ class HlsDesign {
     void process(std::string name, std::function<void()> function) {
         processes_.push_back({std::move(name), std::move(function)});
     }
+    /// Tokens may be left in the stream at the end of a run, which warns of them; otherwise they are an error.
+    void keeps_tokens(untimed::StreamBase const& stream) { keeping_.insert(&stream); }
     /// The number of the call at hand, from 0 on.
     std::uint64_t call() const { return call_; }
 
   private:
     std::vector<untimed::ProcessCall> processes_;
     std::vector<untimed::StreamBase*> streams_;
+    std::set<untimed::StreamBase const*> keeping_;
     std::uint64_t call_ = 0;
 };
 
@@ -92,7 +97,8 @@ class HlsCore : public SimpleCore {
     untimed::LoopRecorder const& recorder(std::size_t process) const { return network_.recorder(process); }
     ClockedFifo<std::int64_t>& stream_fifo(std::size_t stream) const { return *fifos_[stream]; }
     /// Throws InputError if the description does not have it. `loop`: null outside loops
-    void require_described(std::size_t process, char const* loop, untimed::Access const& access) const;
+    void require_described(std::size_t process, char const* loop, untimed::Access const& access,
+                           bool is_attempt = false) const;
     /// What a process does in its next call. All functions run for the first that asks.
     HlsScript next_script(std::size_t process);
     /// The results of the calls, in their order.
@@ -100,7 +106,8 @@ class HlsCore : public SimpleCore {
 
   private:
     void run_call();
-    bool is_described(MachineProcess const& process, char const* loop, std::size_t fifo, bool writes) const;
+    bool is_described(MachineProcess const& process, char const* loop, std::size_t fifo, bool writes,
+                      bool is_attempt) const;
 
     std::unique_ptr<HlsDesign> design_;
     untimed::UntimedNetwork network_;

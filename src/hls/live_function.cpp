@@ -64,10 +64,10 @@ void LiveFunction::come_to_access() {
         leave_loop();
 }
 
-void LiveFunction::begin_access(untimed::Access const& access) {
+void LiveFunction::begin_access(untimed::Access const& access, bool is_attempt) {
     idle_.ends();
-    if (described_.emplace(loop_, access).second)
-        core_.require_described(process_, loop_ != nullptr ? loop_->name : nullptr, access);
+    if (described_[is_attempt].emplace(loop_, access).second)
+        core_.require_described(process_, loop_ != nullptr ? loop_->name : nullptr, access, is_attempt);
 }
 
 void LiveFunction::open_iteration() {
@@ -105,14 +105,14 @@ void LiveFunction::ends_iteration(LoopMark const& loop) noexcept {
 
 void LiveFunction::reads(StreamBase& stream) {
     come_to_access();
-    begin_access({stream.number(), false});
+    begin_access({stream.number(), false}, false);
     core_.stream_fifo(stream.number()).read();
     end_access();
 }
 
 void LiveFunction::wrote(StreamBase& stream) {
     come_to_access();
-    begin_access({stream.number(), true});
+    begin_access({stream.number(), true}, false);
     core_.stream_fifo(stream.number()).write(stream.shown_last());
     end_access();
 }
@@ -122,7 +122,7 @@ bool LiveFunction::attempts(StreamBase const& stream, Attempt const& attempt) {
         come_to_question({stream.number(), attempt.writes});
     else
         come_to_access();
-    begin_access({stream.number(), attempt.writes});
+    begin_access({stream.number(), attempt.writes}, true);
     bool const is_found = find(core_.stream_fifo(stream.number()), attempt);
     end_access();
     return is_found;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <set>
 #include <utility>
@@ -41,7 +42,7 @@ class LiveFunction final : public untimed::Observer {
     void open_iteration();
     void come_to_question(untimed::Access const& access);
     void come_to_access();
-    void begin_access(untimed::Access const& access);
+    void begin_access(untimed::Access const& access, bool is_attempt);
     void leave_loop();
     void go_on();
     void end_access();
@@ -57,7 +58,8 @@ class LiveFunction final : public untimed::Observer {
     bool leaves_ = false;                      ///< a loop around it has gone on
     untimed::Accesses asked_;                  ///< of the last of them
     untimed::IdleIterations idle_;
-    std::set<std::pair<untimed::LoopMark const*, untimed::Access>> described_;  ///< that it makes, in loops or in none
+    /// That it makes, in loops or in none: that wait, and that do not.
+    std::array<std::set<std::pair<untimed::LoopMark const*, untimed::Access>>, 2> described_;
 };
 
 }  // namespace dataflow

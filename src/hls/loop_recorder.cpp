@@ -38,14 +38,35 @@ std::size_t LoopRecorder::group_of(Accesses const& accesses) {
 }
 
 void LoopRecorder::leave() {
+    condition_.clear();
     if (is_in_loop_)
         events_.push_back({Event::What::leave});
     is_in_loop_ = false;
 }
 
+void LoopRecorder::attempt(Access const& access) {
+    idle_.ends();
+    attempts_.insert(access);
+    bool const is_open = !open_.empty() && !open_.back().is_around;
+    if (!is_open && !is_in_loop_)
+        return;
+    attempts_in_.insert({is_open ? open_.back().loop : loop_, access});
+    if (is_open && !access.writes)
+        look_behind();
+    (is_open ? open_.back().attempts : condition_).push_back(access);
+}
+
+/// The iteration at hand reads, or asks.
+void LoopRecorder::look_behind() {
+    for (Access const& before : open_.back().attempts)
+        before_reads_.insert({open_.back().loop, before});
+}
+
 void LoopRecorder::access(Access access) {
     idle_.ends();
     if (!open_.empty() && !open_.back().is_around) {
+        if (!access.writes)
+            look_behind();
         open_.back().accesses.push_back(access);
         return;
     }
@@ -70,7 +91,7 @@ void LoopRecorder::begin(LoopMark const& loop) {
     idle_.count(process_, loop);
     if (!open_.empty())
         put_around(open_.back());
-    open_.push_back({number_of(loop), {}});
+    open_.push_back({number_of(loop), {}, std::exchange(condition_, {})});
 }
 
 void LoopRecorder::end() {

@@ -56,12 +56,16 @@ class LoopRecorder {
     explicit LoopRecorder(std::string process) : process_(std::move(process)) {}
 
     void access(Access access);
-    /// Some of the accesses of that kind do not wait.
-    void attempt(Access const& access) {
-        idle_.ends();
-        attempts_.insert(access);
-    }
+    /// Some of the accesses of that kind do not wait, or the stream is asked. Behind an iteration it may be the
+    /// condition of the loop that asks, which is part of an iteration.
+    void attempt(Access const& access);
     bool attempts(Access const& access) const { return attempts_.count(access) != 0; }
+    /// In an iteration of the loop, or in its condition.
+    bool attempts_in(std::size_t loop, Access const& access) const { return attempts_in_.count({loop, access}) != 0; }
+    /// And an iteration of that loop reads behind it.
+    bool attempts_before_reads(std::size_t loop, Access const& access) const {
+        return before_reads_.count({loop, access}) != 0;
+    }
     void begin(LoopMark const& loop);
     void end();
     /// All that has happened since the last call. The function has returned, or is stuck.
@@ -74,11 +78,13 @@ class LoopRecorder {
     struct Open {
         std::size_t loop;
         Accesses accesses;  ///< of the iteration at hand
+        Accesses attempts;  ///< and those that do not wait, with those of its condition
         bool is_around = false;
     };
     std::size_t number_of(LoopMark const& loop);
     std::size_t group_of(Accesses const& accesses);
     void leave();
+    void look_behind();
     Events as_parts(Events const& events);
     void put_around(Open& outer);
 
@@ -87,7 +93,10 @@ class LoopRecorder {
     std::vector<Accesses> groups_;
     std::map<Accesses, std::size_t> group_numbers_;
     std::set<Access> attempts_;
-    std::set<std::size_t> around_;  ///< loops that have had a marked one in them
+    std::set<std::pair<std::size_t, Access>> attempts_in_;   // loops, and what they attempt
+    std::set<std::pair<std::size_t, Access>> before_reads_;  // of those
+    Accesses condition_;                                     // attempts behind the last iteration
+    std::set<std::size_t> around_;                           ///< loops that have had a marked one in them
     std::vector<Open> open_;
     bool is_in_loop_ = false;
     std::size_t loop_ = 0;  // that it is in

@@ -78,6 +78,8 @@ class UntimedNetwork::Watcher final : public Observer {
     /// It has done something since the last call, and not only looked for tokens.
     bool has_moved() { return std::exchange(has_moved_, false); }
     void give_up() { is_given_up_ = true; }
+    /// By one that is given up.
+    StreamBase const* awaited() const { return awaited_; }
     std::exception_ptr const& error() const { return error_; }
 
     void reads(StreamBase& stream) override {
@@ -161,6 +163,7 @@ UntimedNetwork::~UntimedNetwork() = default;
 
 void UntimedNetwork::run() {
     written_.assign(written_.size(), {});
+    waiting_.clear();
     std::exception_ptr error;
     {
         Baton baton;
@@ -185,6 +188,8 @@ void UntimedNetwork::run() {
         }
         for (std::size_t i = 0; i < watchers.size(); ++i)
             if (!watchers[i]->is_done()) {
+                if (StreamBase const* const stream = watchers[i]->awaited())
+                    waiting_ += (waiting_.empty() ? "" : ", ") + processes_[i].name + " waits for " + stream->name();
                 watchers[i]->give_up();
                 baton.give(i);
             }

@@ -42,6 +42,8 @@ class UntimedNetwork {
 
     /// Calls each function once. Those that are left waiting for tokens that nobody writes are given up.
     void run();
+    /// Those were, as "a waits for b, c waits for d", each a process and its stream.
+    std::string const& waiting() const { return waiting_; }
     /// What each has done in the last run, by process.
     std::vector<Events>& events() { return events_; }
     LoopRecorder const& recorder(std::size_t process) const { return *recorders_[process]; }
@@ -55,6 +57,7 @@ class UntimedNetwork {
     std::vector<ProcessCall> const& processes_;
     std::vector<std::unique_ptr<LoopRecorder>> recorders_;
     std::vector<Events> events_;
+    std::string waiting_;
     std::vector<std::vector<std::int64_t>> written_;
 };
 

@@ -139,6 +139,20 @@ TEST_CASE("The condition of a loop belongs to its iterations", "[examples]") {
     CHECK_THAT(refused.err, Contains("stream number is asked for its size(), which hardware does not count"));
 }
 
+/// A question is written, looked for once outside the loop, in 8 iterations without and in one with an answer in its
+/// condition, the first of which has asked before it began, and read: 12 cycles, behind the one of the start.
+TEST_CASE("A loop may only ask, and tokens may be left where the design says so", "[examples]") {
+    TempFolder const folder;
+    std::ofstream(folder / "empty.yaml") << "{}\n";
+    for (std::string const engine : {"decoupled", "lockstep"}) {
+        Words const words{"run", "empty.yaml", "--out", "out", "--set", "simulation.engine=" + engine};
+        CommandResult const result = run_command(HLS_ASKER_BINARY, words, folder.path());
+        CHECK(result.exit_code == 0);
+        CHECK_THAT(content_of(folder / "out/samples.csv"), Contains(",121,80\n"));
+        CHECK_THAT(result.err, Contains("tokens are left at the end of the run, unread: word of core 0"));
+    }
+}
+
 TEST_CASE("What-if, sizes and waveforms know a design of functions", "[examples]") {
     TempFolder const folder;
     fs::path const configuration = examples / "hls_pipeline" / "hls_pipeline.yaml";

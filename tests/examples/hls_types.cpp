@@ -173,15 +173,71 @@ struct TwoStreams : OneStream<int> {
     TwoStreams() : OneStream("used") {}
 };
 
-void check_unused() {
-    auto const make = [](dataflow::Numbers const&) -> std::unique_ptr<dataflow::HlsDesign> {
-        auto design = std::make_unique<TwoStreams>();
+/// Both wait for each other before they write anything.
+struct Circle : dataflow::HlsDesign {
+    hls::stream<int> there{"there"}, back{"back"};
+    Circle() {
+        process("first", [this] { there.write(back.read()); });
+        process("second", [this] { back.write(there.read()); });
+    }
+};
+
+struct NobodyReads : dataflow::HlsDesign {
+    hls::stream<int> word{"word"};
+    NobodyReads() {
+        process("writer", [this] { word.write(1); });
+    }
+};
+
+/// What a body looks for in front of its read, as stages: with II 2, the first and the second.
+struct InOrder : dataflow::HlsDesign {
+    hls::stream<int> in{"in"}, before{"before"}, behind{"behind"}, asked{"asked"};
+    InOrder() {
+        process("source", [this] {
+            for (int i = 0; i < 9; ++i)
+                in.write(i);
+        });
+        process("middle", [this] {
+            for (int i = 0; i < 9; ++i) {
+                FASTER_PIPELINE(pass, 2, 5);
+                bool const is_room = !asked.full();
+                before.write_nb(i);
+                int const number = in.read();
+                behind.write_nb(number);
+                if (is_room)
+                    asked.write(number);
+            }
+        });
+        process("sink", [this] {
+            int number = 0;
+            while (before.read_nb(number) || behind.read_nb(number) || asked.read_nb(number)) {
+            }
+        });
+        keeps_tokens(behind);
+    }
+};
+
+template <class Design> dataflow::CoreDescription described() {
+    return dataflow::describe_hls_design({}, [](dataflow::Numbers const&) -> std::unique_ptr<dataflow::HlsDesign> {
+        auto design = std::make_unique<Design>();
         design->complete();
         return design;
-    };
-    check(is_refused([&] { dataflow::describe_hls_design({}, make); },
-                     "stream unused of the design is not used with the defaults"),
+    });
+}
+
+void check_descriptions() {
+    check(is_refused([] { described<TwoStreams>(); }, "stream unused of the design is not used with the defaults"),
           "a stream that nobody uses");
+    check(is_refused([] { described<NobodyReads>(); }, "stream word of the design is not read with the defaults"),
+          "a stream that nobody reads");
+    check(is_refused([] { described<Circle>(); },
+                     "is not written, as without time first waits for back, second waits for there for ever, with"),
+          "who waits for whom before anything is written");
+    for (dataflow::FifoEnd const& end : described<InOrder>().modules[1].ends)
+        if (end.writes) {
+            check(end.write_latency == (end.fifo == "behind" ? 1U : 0U), "a stage in the order of the body");
+            check(end.may_keep_tokens == (end.fifo == "behind"), "tokens that may be left");
+        }
 }
 
 void check_shown_tokens() {
@@ -218,7 +274,7 @@ int sc_main(int /*argc*/, char** /*argv*/) {
     check_signs();
     check_wide();
     check_widths();
-    check_unused();
+    check_descriptions();
     check_loops_around_others();
     check_streams_of_nobody();
     check_shown_tokens();

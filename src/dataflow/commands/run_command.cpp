@@ -244,8 +244,10 @@ int run(RunRequest const& request, RunExtras& extras) {
         statistics.warnings.push_back(warning);
     }
     if (std::string const left = leftover_tokens(statistics); !left.empty())
-        throw InputError("tokens are left at the end of the run, unread: " + left +
-                         ", expected modules that read all that is written, or keeps_tokens() where it need not be");
+        throw InputError(
+            "tokens are left at the end of the run, unread: " + left +
+            ", expected modules that read all that is written, or keeps_tokens() where it need not be, of the " +
+            "end that writes it, or of the stream in an HlsDesign");
     if (std::string const kept = kept_tokens(statistics); !kept.empty()) {
         statistics.warnings.push_back("tokens are left at the end of the run, unread: " + kept);
         say_warnings({statistics.warnings.back()});

@@ -1,9 +1,11 @@
 #pragma once
 // ap_fixed and ap_ufixed by the tools' names: SystemC's fixed-point numbers, whose quantization and overflow modes are
 // those of the tools. Results of operations are exact (sc_fxval), and are cut where they are assigned; a division has
-// 64 bits. range() gives SystemC's bits.
+// 64 bits. range() gives SystemC's bits. They are printed as a double is.
+#include <ostream>
 #include <systemc>
 #include <sysc/datatypes/fx/fx.h>
+#include <type_traits>
 
 #include "ap_int.h"
 
@@ -21,9 +23,51 @@ constexpr ap_o_mode AP_SAT = sc_dt::SC_SAT;
 constexpr ap_o_mode AP_SAT_ZERO = sc_dt::SC_SAT_ZERO;
 constexpr ap_o_mode AP_SAT_SYM = sc_dt::SC_SAT_SYM;
 constexpr ap_o_mode AP_WRAP = sc_dt::SC_WRAP;
+
+namespace faster_ap {
+
+template <class Base> class Fixed : public Base {
+  public:
+    Fixed() = default;
+    /// SystemC has some of these for explicit use only.
+    template <class From, std::enable_if_t<std::is_constructible_v<Base, From const&>, int> = 0>
+    Fixed(From const& from) : Base(from) {}  // NOLINT(google-explicit-constructor)
+    template <class From, std::enable_if_t<std::is_constructible_v<Base, From const&>, int> = 0>
+    Fixed& operator=(From const& from) {
+        Base::operator=(Base(from));
+        return *this;
+    }
+    int length() const { return this->wl(); }
+};
+
+}  // namespace faster_ap
+
+template <int bits, int integer_bits, ap_q_mode quantization = AP_TRN, ap_o_mode overflow = AP_WRAP,
+          int saturated_bits = 0>
+class ap_fixed
+    : public faster_ap::Fixed<sc_dt::sc_fixed<bits, integer_bits, quantization, overflow, saturated_bits>> {
+    using Fixed = faster_ap::Fixed<sc_dt::sc_fixed<bits, integer_bits, quantization, overflow, saturated_bits>>;
+
+  public:
+    static constexpr int width = bits, iwidth = integer_bits;
+
+    using Fixed::Fixed;
+    using Fixed::operator=;
+};
+template <int bits, int integer_bits, ap_q_mode quantization = AP_TRN, ap_o_mode overflow = AP_WRAP,
+          int saturated_bits = 0>
+class ap_ufixed
+    : public faster_ap::Fixed<sc_dt::sc_ufixed<bits, integer_bits, quantization, overflow, saturated_bits>> {
+    using Fixed = faster_ap::Fixed<sc_dt::sc_ufixed<bits, integer_bits, quantization, overflow, saturated_bits>>;
+
+  public:
+    static constexpr int width = bits, iwidth = integer_bits;
+
+    using Fixed::Fixed;
+    using Fixed::operator=;
+};
 // NOLINTEND(readability-identifier-naming)
 
-template <int width, int integer_bits, ap_q_mode quantization = AP_TRN, ap_o_mode overflow = AP_WRAP>
-using ap_fixed = sc_dt::sc_fixed<width, integer_bits, quantization, overflow>;  // NOLINT
-template <int width, int integer_bits, ap_q_mode quantization = AP_TRN, ap_o_mode overflow = AP_WRAP>
-using ap_ufixed = sc_dt::sc_ufixed<width, integer_bits, quantization, overflow>;  // NOLINT
+template <class Base> std::ostream& operator<<(std::ostream& out, faster_ap::Fixed<Base> const& number) {
+    return out << number.to_double();
+}

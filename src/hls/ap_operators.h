@@ -1,30 +1,36 @@
 #pragma once
-// Operators of ap_int and ap_uint up to 64 bits that give the tools' values where one side has a sign and the other has
-// none. SystemC's make a plain 64-bit number of each side first: -5 < 100U is false then, and 100U - 200U above 0. And
-// those above 64 bits in which SystemC's know no width, or are not there.
+// Operators of ap_int and ap_uint up to 64 bits that give numbers as wide as the tools', and their values where one side
+// has a sign and the other has none. SystemC's make a plain 64-bit number of each side first: -5 < 100U is false then,
+// and 100U - 200U above 0. Comparisons are those of the numbers, as hardware makes them; the tools' C simulation follows
+// C where a side has 32 bits and more. And operators above 64 bits in which SystemC's know no width, or are not there.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <systemc>
 #include <type_traits>
 
+// NOLINTBEGIN(readability-identifier-naming): as the tools have them
+template <int bits> class ap_int;
+template <int bits> class ap_uint;
+// NOLINTEND(readability-identifier-naming)
+
 namespace faster_ap {
 
 __extension__ using Wide = __int128;  // holds all of both sides
 
-/// Of a number: the bits of its magnitude, and whether it has a sign.
+/// Of a number of up to 64 bits: the bits of its magnitude, and whether it has a sign.
+template <bool is_number_of_tools, int magnitude, bool has_sign> struct ApSide {
+    static constexpr bool is_ap = is_number_of_tools, is_number = is_ap, is_signed = has_sign;
+    static constexpr int bits = magnitude;
+};
 template <class Any> struct Side {
     static constexpr bool is_ap = false, is_number = std::is_integral_v<Any>, is_signed = std::is_signed_v<Any>;
     static constexpr int bits = std::numeric_limits<Any>::digits;
 };
-template <int width> struct Side<sc_dt::sc_int<width>> {
-    static constexpr bool is_ap = true, is_number = true, is_signed = true;
-    static constexpr int bits = width - 1;
-};
-template <int width> struct Side<sc_dt::sc_uint<width>> {
-    static constexpr bool is_ap = true, is_number = true, is_signed = false;
-    static constexpr int bits = width;
-};
+template <int width> struct Side<sc_dt::sc_int<width>> : ApSide<true, width - 1, true> {};
+template <int width> struct Side<sc_dt::sc_uint<width>> : ApSide<true, width, false> {};
+template <int width> struct Side<ap_int<width>> : ApSide<(width <= 64), width - 1, true> {};
+template <int width> struct Side<ap_uint<width>> : ApSide<(width <= 64), width, false> {};
 
 template <class A, class B>
 using IfSides = std::enable_if_t<Side<A>::is_number && Side<B>::is_number && (Side<A>::is_ap || Side<B>::is_ap), int>;
@@ -36,10 +42,15 @@ template <class A> Wide wide(A const& a) {
         return a;
 }
 
-/// What a result of so many bits is: a plain number with a sign, but where that does not hold one without.
-template <class A, class B, int bits>
-using Result = std::conditional_t<(bits > 63 && !Side<A>::is_signed && !Side<B>::is_signed), std::uint64_t, std::int64_t>;
+/// A result with so many bits of magnitude; beyond 64 bits the lower ones.
+template <bool is_signed, int bits>
+using Result = std::conditional_t<is_signed, ap_int<std::min(bits + 1, 64)>, ap_uint<std::min(bits, 64)>>;
+template <class A, class B> constexpr bool any_sign = Side<A>::is_signed || Side<B>::is_signed;
+template <class A, class B> constexpr bool both_signs = Side<A>::is_signed && Side<B>::is_signed;
 template <class A, class B> constexpr int most_bits = std::max(Side<A>::bits, Side<B>::bits);
+template <class To> To cut(Wide value) {
+    return To(static_cast<std::conditional_t<Side<To>::is_signed, std::int64_t, std::uint64_t>>(value));
+}
 
 /// By less than 0 to the other side, as the tools do it.
 inline std::uint64_t shifted_left(std::uint64_t value, Wide by) { return by > 63 ? 0 : value << static_cast<int>(by); }
@@ -50,29 +61,25 @@ template <class Value> Value shifted_right(Value value, Wide by) {
 }
 template <class A> A shifted(A const& a, Wide left) {
     if (left < 0)
-        return A(shifted_right(a.value(), -left));
-    auto const bits = shifted_left(static_cast<std::uint64_t>(a.value()), left);
-    return A(static_cast<decltype(a.value())>(bits));
+        return cut<A>(shifted_right(a.value(), -left));
+    return cut<A>(shifted_left(static_cast<std::uint64_t>(a.value()), left));
 }
 
 /// A number above 64 bits.
-template <class Any> struct Long {
-    static constexpr bool is_it = false;
-};
-template <int width> struct Long<sc_dt::sc_bigint<width>> {
-    static constexpr bool is_it = true;
+template <class Of, int width> struct LongOf {
+    static constexpr bool is_it = width > 64;
     static constexpr int bits = width;
-    using Base = sc_dt::sc_signed;
+    using Base = Of;
 };
-template <int width> struct Long<sc_dt::sc_biguint<width>> {
-    static constexpr bool is_it = true;
-    static constexpr int bits = width;
-    using Base = sc_dt::sc_unsigned;
-};
+template <class Any> struct Long : LongOf<Any, 0> {};
+template <int width> struct Long<sc_dt::sc_bigint<width>> : LongOf<sc_dt::sc_signed, width> {};
+template <int width> struct Long<sc_dt::sc_biguint<width>> : LongOf<sc_dt::sc_unsigned, width> {};
+template <int width> struct Long<ap_int<width>> : LongOf<sc_dt::sc_signed, width> {};
+template <int width> struct Long<ap_uint<width>> : LongOf<sc_dt::sc_unsigned, width> {};
 template <class A, class B>
 using IfLongBy = std::enable_if_t<Long<A>::is_it && Side<B>::is_number, int>;
 template <class A, class B>
-using IfShortAndLong = std::enable_if_t<Side<A>::is_ap && Long<B>::is_it, int>;
+using IfAssigned = std::enable_if_t<(Side<A>::is_ap || Long<A>::is_it) && (Side<B>::is_number || Long<B>::is_it), int>;
 
 template <class A> A long_shifted(A const& a, Wide left) {
     using Base = typename Long<A>::Base;
@@ -103,19 +110,20 @@ FASTER_AP_COMPARISON(>)
 FASTER_AP_COMPARISON(>=)
 #undef FASTER_AP_COMPARISON
 
-#define FASTER_AP_OPERATOR(op, result_bits)                                                                 \
-    template <class A, class B, faster_ap::IfSides<A, B> = 0>                                               \
-    faster_ap::Result<A, B, result_bits> operator op(A const& a, B const& b) {                              \
-        return static_cast<faster_ap::Result<A, B, result_bits>>(faster_ap::wide(a) op faster_ap::wide(b)); \
+#define FASTER_AP_OPERATOR(op, is_signed, bits)                                                              \
+    template <class A, class B, faster_ap::IfSides<A, B> = 0>                                                \
+    faster_ap::Result<is_signed, bits> operator op(A const& a, B const& b) {                                 \
+        return faster_ap::cut<faster_ap::Result<is_signed, bits>>(faster_ap::wide(a) op faster_ap::wide(b)); \
     }
-FASTER_AP_OPERATOR(+, (faster_ap::most_bits<A, B> + 1))
-FASTER_AP_OPERATOR(-, 0)  // below 0 for two without a sign, too
-FASTER_AP_OPERATOR(*, (faster_ap::Side<A>::bits + faster_ap::Side<B>::bits))
-FASTER_AP_OPERATOR(/, faster_ap::Side<A>::bits)
-FASTER_AP_OPERATOR(%, (faster_ap::most_bits<A, B>))
-FASTER_AP_OPERATOR(&, (faster_ap::most_bits<A, B>))
-FASTER_AP_OPERATOR(|, (faster_ap::most_bits<A, B>))
-FASTER_AP_OPERATOR(^, (faster_ap::most_bits<A, B>))
+FASTER_AP_OPERATOR(+, (faster_ap::any_sign<A, B>), (faster_ap::most_bits<A, B> + 1))
+FASTER_AP_OPERATOR(-, true, (faster_ap::most_bits<A, B> + faster_ap::any_sign<A, B>))
+FASTER_AP_OPERATOR(*, (faster_ap::any_sign<A, B>),
+                   (faster_ap::Side<A>::bits + faster_ap::Side<B>::bits + faster_ap::both_signs<A, B>))
+FASTER_AP_OPERATOR(/, (faster_ap::any_sign<A, B>), (faster_ap::Side<A>::bits + faster_ap::both_signs<A, B>))
+FASTER_AP_OPERATOR(%, (faster_ap::Side<A>::is_signed), (std::min(faster_ap::Side<A>::bits, faster_ap::Side<B>::bits)))
+FASTER_AP_OPERATOR(&, (faster_ap::any_sign<A, B>), (faster_ap::most_bits<A, B>))
+FASTER_AP_OPERATOR(|, (faster_ap::any_sign<A, B>), (faster_ap::most_bits<A, B>))
+FASTER_AP_OPERATOR(^, (faster_ap::any_sign<A, B>), (faster_ap::most_bits<A, B>))
 #undef FASTER_AP_OPERATOR
 // NOLINTEND(bugprone-macro-parentheses)
 
@@ -129,21 +137,20 @@ A operator>>(A const& a, B const& by) {
     return faster_ap::shifted(a, -faster_ap::wide(by));
 }
 template <class A, faster_ap::IfSides<A, A> = 0> A operator~(A const& a) {
-    return A(static_cast<decltype(a.value())>(~a.value()));
+    return faster_ap::cut<A>(~faster_ap::wide(a));
 }
-template <class A, faster_ap::IfSides<A, A> = 0> std::int64_t operator-(A const& a) {
-    return static_cast<std::int64_t>(-faster_ap::wide(a));
+template <class A, faster_ap::IfSides<A, A> = 0> auto operator-(A const& a) {
+    using Side = faster_ap::Side<A>;
+    return faster_ap::cut<faster_ap::Result<true, Side::bits + Side::is_signed>>(-faster_ap::wide(a));
 }
 
-/// The same of long numbers.
+/// Long ones.
 template <class A, class B, faster_ap::IfLongBy<A, B> = 0> A operator<<(A const& a, B const& by) {
     return faster_ap::long_shifted(a, faster_ap::wide(by));
 }
 template <class A, class B, faster_ap::IfLongBy<A, B> = 0> A operator>>(A const& a, B const& by) {
     return faster_ap::long_shifted(a, -faster_ap::wide(by));
 }
-template <class A, class B, faster_ap::IfLongBy<A, B> = 0> A& operator<<=(A& a, B const& by) { return a = a << by; }
-template <class A, class B, faster_ap::IfLongBy<A, B> = 0> A& operator>>=(A& a, B const& by) { return a = a >> by; }
 template <int width> sc_biguint<width> operator~(sc_biguint<width> const& a) {
     sc_biguint<width> inverted;
     inverted = ~static_cast<sc_unsigned const&>(a);
@@ -153,9 +160,9 @@ template <class A, std::enable_if_t<faster_ap::Long<A>::is_it, int> = 0> bool op
 
 // NOLINTBEGIN(bugprone-macro-parentheses): operators
 #define FASTER_AP_ASSIGNMENT(op)                                     \
-    template <class A, class B, faster_ap::IfShortAndLong<A, B> = 0> \
-    A& operator op##=(A& a, B const& b) {                            \
-        return a = a op b;                                           \
+    template <class A, class B, faster_ap::IfAssigned<A, B> = 0> \
+    A& operator op##=(A& a, B const& b) {                        \
+        return a = a op b;                                       \
     }
 FASTER_AP_ASSIGNMENT(+)
 FASTER_AP_ASSIGNMENT(-)
@@ -165,6 +172,8 @@ FASTER_AP_ASSIGNMENT(%)
 FASTER_AP_ASSIGNMENT(&)
 FASTER_AP_ASSIGNMENT(|)
 FASTER_AP_ASSIGNMENT(^)
+FASTER_AP_ASSIGNMENT(<<)
+FASTER_AP_ASSIGNMENT(>>)
 #undef FASTER_AP_ASSIGNMENT
 // NOLINTEND(bugprone-macro-parentheses)
 

@@ -7,6 +7,7 @@
 #include <faster_hls.h>
 #include <hls_design.hpp>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "dataflow/base/input_error.hpp"
@@ -43,6 +44,73 @@ void check_signs() {
           "shifts by more than there is, and the other way");
     s = s + b;
     check(s == 95, "adds up");
+}
+
+/// In place, where SystemC's operators see 64 bits.
+void check_in_place() {
+    ap_uint<24> a = 1;
+    a <<= 78;
+    check(a == 0, "shifts all out");
+    a = 6;
+    a <<= -2;
+    check(a == 1, "shifts the other way");
+    ap_int<12> s = 2;
+    s %= ~std::uint64_t{0};
+    check(s == 2, "a remainder of more than 63 bits");
+    s = -9;
+    s /= ap_uint<64>(~std::uint64_t{0});
+    check(s == 0, "a quotient");
+    ap_uint<8> u = 200;
+    u /= ap_int<4>(-3);
+    check(u == 190, "of both kinds");
+    ap_uint<65> long_one = 0;
+    long_one -= ap_uint<64>(std::uint64_t{1} << 63U);
+    check(static_cast<bool>(long_one[64]) && static_cast<bool>(long_one[63]), "borrows above 64 bits");
+}
+
+template <int bits> int width_of(ap_uint<bits> /*number*/) { return bits; }
+template <class Any> std::string printed(Any const& value, bool in_hex = false) {
+    std::ostringstream out;
+    if (in_hex)
+        out << std::hex;
+    out << value;
+    return out.str();
+}
+
+/// As the tools write them.
+void check_spelling() {
+    ap_uint<8> const a = 200, b = 100;
+    ap_int<9> const signed_one = a;
+    ap_int<16> const shifted = a << 1;
+    ap_uint<128> long_one = ap_uint<32>(7);
+    ap_uint<8> const short_one = long_one;
+    check(signed_one == 200 && shifted == 144 && long_one == 7 && short_one == 7, "converts where it is made");
+    hls::stream<ap_int<16>> stream;
+    stream.write(a);
+    stream << a + b;
+    check(stream.read() == 200 && stream.read() == 300, "and where it is written");
+    check((a + b).to_int() == 300 && (a + b).length() == 9 && (a + b).range(3, 0) == 12 && (a + b)[2], "a result");
+    check((~(a + b) & 511) == 211 && ((a + b) << 1).to_int() == 88, "as wide as the tools' is");
+    check((a - b).length() == 9 && (a * signed_one).length() == 17 && (a / signed_one).length() == 9 &&
+              (a % b).length() == 8 && (-a).length() == 9 && width_of(a) == 8,
+          "and others");
+    std::int64_t const plain = long_one;
+    check(long_one && static_cast<int>(long_one) == 7 && plain == 7, "a plain number of a long one");
+    ap_uint<8> const both = ap_uint<4>(5).concat(ap_uint<4>(3));
+    check(both == 0x53 && signed_one.sign() == 0 && ap_int<70>(-1).sign(), "concatenation, sign");
+    check(ap_uint<128>("0x1F", 16) == 31 && ap_int<8>("-101", 2) == -5 && ap_int<80>("-99", 10) == -99, "texts");
+    ap_fixed<16, 8, AP_TRN, AP_WRAP, 0> fixed = ap_int<8>(-5);
+    ap_int<8> const whole = ap_fixed<16, 8>(-3.5);
+    check(fixed.to_double() == -5 && whole == -3 && ap_uint<8>(fixed) == 251 && fixed.length() == 16,
+          "integers and fixed-point numbers");
+}
+
+void check_printing() {
+    check(printed(ap_ufixed<8, 4>(.25)) == "0.25" && printed(ap_fixed<32, 16>(0.1)) == "0.0999908", "as doubles");
+    check(printed(ap_int<8>(-5)) == "-5" && printed(ap_uint<100>(12)) == "12", "decimal");
+    check(printed(ap_uint<16>(0xbeef), true) == "0xbeef" && printed(ap_int<8>(-2), true) == "-0x2" &&
+              printed(ap_uint<128>(0), true) == "0x0",
+          "hexadecimal");
 }
 
 /// Above 64 bits.
@@ -272,6 +340,9 @@ int sc_main(int /*argc*/, char** /*argv*/) {
     wide.write(5);
     check(wide.read().to_int() == 5, "a wide one");
     check_signs();
+    check_in_place();
+    check_spelling();
+    check_printing();
     check_wide();
     check_widths();
     check_descriptions();

@@ -149,11 +149,10 @@ Subcommand cosim_command() {
             command.add_option("trace", request->trace, "Folder of the stimulus trace")->required()->type_name("TRACE");
             command.add_option("--config", request->config, "Configuration file (YAML)")->type_name("CONFIG");
             add_overrides(command, request->overrides);
-            command
-                .add_option("--twin-set", request->twin_overrides,
-                            "Override a key for the twin alone, to see the difference found")
-                ->type_name("KEY=VALUE")
-                ->allow_extra_args(false);
+            repeats(*command
+                         .add_option("--twin-set", request->twin_overrides,
+                                     "Override a key for the twin alone, to see the difference found; may be repeated")
+                         ->type_name("KEY=VALUE"));
             command.add_option("--core", request->core, "Compare this core only")
                 ->type_name("N")
                 ->check(CLI::Range(0, 1000000));

@@ -449,6 +449,7 @@ TEST_CASE("help and help of a command are as --help") {
     CHECK(said({"help"}) == said({"--help"}));
     CHECK(said({"help", "run"}) == said({"run", "--help"}));
     CHECK(said({"help"}).find("Subcommands:") != std::string::npos);
+    CHECK(said({"help", "run"}).find("--set KEY=VALUE ...") == std::string::npos);  // but --set again
 }
 
 TEST_CASE("Wrong usage is refused in one line") {

@@ -18,10 +18,15 @@ inline CLI::Validator number_in(double least, double most) {
     return CLI::Validator(check, fmt::format("NUMBER in [{} - {}]", least, most));
 }
 
+/// Given again for each further value, which its help says.
+inline void repeats(CLI::Option& option) { option.expected(1)->take_all()->allow_extra_args(false); }
+
 inline void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
-    command.add_option("--set", overrides, "Override a key of the configuration, e.g. accelerator.fifos.NAME.depth=16")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    repeats(
+        *command
+             .add_option("--set", overrides,
+                         "Override a key of the configuration, e.g. accelerator.fifos.NAME.depth=16; may be repeated")
+             ->type_name("KEY=VALUE"));
 }
 
 /// Of work whose size is announced beforehand. `more`: what else it allows.

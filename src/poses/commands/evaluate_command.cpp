@@ -201,11 +201,10 @@ Subcommand evaluate_command() {
                     ->type_name("RESULTS... DATASET");
                 command.add_option("--out", request->out, "Write tables, plots and a page to this folder")
                     ->type_name("DIR");
-                command
-                    .add_option("--models", request->models,
-                                "Look for meshes and models_info.json in this folder first; may be repeated")
-                    ->allow_extra_args(false)
-                    ->type_name("DIR");
+                repeats(*command
+                             .add_option("--models", request->models,
+                                         "Look for meshes and models_info.json in this folder first; may be repeated")
+                             ->type_name("DIR"));
                 command.add_option("--models-in", request->models_in, "Unit of the meshes, m or mm (mm)")
                     ->check(CLI::IsMember({"m", "mm"}))
                     ->type_name("UNIT");

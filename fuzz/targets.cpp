@@ -129,7 +129,8 @@ std::vector<Target> const& targets() {
     static std::vector<Target> const all{
         {"config", "a configuration file", [](auto bytes) { load_config(file_of("config.yaml", bytes)); }},
         {"settings", "arguments of --set, one per line", read_settings},
-        {"matrix", "a file of whatif --matrix", [](auto bytes) { read_settings_list(file_of("matrix.yaml", bytes)); }},
+        {"matrix", "a file of whatif --matrix",
+         [](auto bytes) { read_settings_list(file_of("matrix.yaml", bytes), "a: 1"); }},
         {"budget", "a budget", [](auto bytes) { budgets::read_budget(file_of("budget.yaml", bytes)); }},
         {"sweep", "a sweep file", read_sweep},
         {"journal", "a sweep's journal", [](auto bytes) { sweeps::read_journal(file_of("journal", bytes)); }},

@@ -92,7 +92,7 @@ TEST_CASE("Iterations wait with hazards interlock, which a recording was made wi
     CommandResult const cosim = run_command(
         FASTER_SIM_BINARY, {"cosim", FASTER_SOURCE_DIR "/traces/one_triangle", "--set", map + "hazards=interlock"},
         workspace.folder().path());
-    check_bad_input(cosim, {map + "hazards = interlock, expected report or forward"});
+    check_bad_input(cosim, {map + "hazards = interlock: expected report or forward"});
     auto const whatif = [&](std::string const& events, std::string const& setting) {
         return run_command(FASTER_SIM_BINARY, {"whatif", events, "--set", setting}, workspace.folder().path());
     };

@@ -69,7 +69,7 @@ class Number : public Base, public std::conditional_t<(bits > 64), ReadsAsPlain<
     /// A fixed-point number without its fraction.
     template <class From> void give(From const& from) {
         if constexpr (is_fixed<From> && bits <= 64)
-            Base::operator=(static_cast<std::uint64_t>(static_cast<Wide>(from.to_double())));
+            Base::operator=(static_cast<std::uint64_t>(from.to_int64()));
         else if constexpr (is_fixed<From>)
             Base::operator=(from.to_double());
         else

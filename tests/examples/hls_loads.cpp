@@ -22,7 +22,7 @@ void load(hls::stream<Pair, 8>& pair, unsigned numbers, unsigned mistake) {
             throw 5;
         pair.write({ap_uint<8>(i), ap_uint<8>(2 * i)});
     }
-    for (unsigned i = 0; mistake == never_ends; ++i) {
+    for (unsigned i = 0; mistake == never_ends; ++i) {  // NOLINT(bugprone-infinite-loop): on purpose
         FASTER_PIPELINE(fetch, 1);
     }
 }

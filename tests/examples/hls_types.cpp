@@ -103,6 +103,9 @@ void check_spelling() {
     ap_int<8> const whole = ap_fixed<16, 8>(-3.5);
     check(fixed.to_double() == -5 && whole == -3 && ap_uint<8>(fixed) == 251 && fixed.length() == 16,
           "integers and fixed-point numbers");
+    ap_fixed<60, 60> long_fixed;
+    long_fixed.range(59, 0) = ap_uint<60>(0x123456789abcdef).range(59, 0);
+    check(ap_int<60>(long_fixed) == 0x123456789abcdef, "an integer of more bits than a double has");
 }
 
 void check_printing() {

@@ -179,7 +179,7 @@ Mesh simplified(Mesh const& mesh, std::uint64_t max_triangles) {
     if (max_triangles == 0 || mesh.faces.size() <= max_triangles) {
         return mesh;
     }
-    Mesh const once = without_duplicates(mesh);
+    Mesh once = without_duplicates(mesh);
     if (once.faces.size() <= max_triangles)
         return once;
     FlatMesh const flat(once);

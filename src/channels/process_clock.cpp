@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <systemc>
-#include <utility>
 
 #include "channels/dataflow_core.hpp"
 #include "channels/fifo_channel.hpp"
@@ -307,14 +306,7 @@ sc_core::sc_time ProcessClock::left_until(Cycles cycle) const {
     return sc_core::sc_time::from_value(target - std::min(target, now));
 }
 
-/// What others do meanwhile is no part of the iteration at hand.
 void ProcessClock::wait_for_tokens(FifoChannel& fifo, timing::Ports others) {
-    std::uint32_t const open = std::exchange(open_, 0);
-    starve(fifo, others);
-    open_ = open;
-}
-
-void ProcessClock::starve(FifoChannel& fifo, timing::Ports others) {
     if (is_held_ && collecting_ && lockstep() && follow_in_lockstep(reached_ + fifo.timing().shape().read_stage))
         return;  // a token may have come
     timing_.set_starving(static_cast<int>(fifo.read_port().first()), site_);
@@ -333,10 +325,8 @@ void ProcessClock::starve(FifoChannel& fifo, timing::Ports others) {
 }
 
 void ProcessClock::wait_for_room(FifoChannel& fifo) {
-    std::uint32_t const open = std::exchange(open_, 0);
     fifo.writer_waits_ = true;
     suspend(fifo.read_);
-    open_ = open;
 }
 
 }  // namespace dataflow

@@ -422,10 +422,13 @@ class ProcessClock {
     void require_memory(unsigned port) const;
     void require_memory_port() const;
     void require_calling(FifoChannel const& fifo, bool writes) const;
+    /// What others do meanwhile is no part of the iteration at hand.
     template <class What> void suspend(What const& what) {
+        std::uint32_t const open = std::exchange(open_, 0);
         is_away_ = true;
         sc_core::wait(what);
         is_away_ = false;
+        open_ = open;
     }
     [[noreturn]] void refuse_both(std::string const& fifo) const;
     bool is_taken_by_loop() const;
@@ -461,7 +464,6 @@ class ProcessClock {
     std::uint64_t step_of_read(FifoChannel const& fifo) const;
     void put_off(std::uint64_t step, std::function<void()> taking, timing::Ports reads);
     FifoChannel& channel_of(std::size_t fifo) const;
-    void starve(FifoChannel& fifo, timing::Ports others);
 
     DataflowCore& dataflow_core_;
     timing::CoreTiming& core_;

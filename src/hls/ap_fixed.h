@@ -26,8 +26,10 @@ constexpr ap_o_mode AP_WRAP = sc_dt::SC_WRAP;
 
 namespace faster_ap {
 
-template <class Base> class Fixed : public Base {
+template <class Base, int bits, int integer_bits> class Fixed : public Base {
   public:
+    static constexpr int width = bits, iwidth = integer_bits;
+
     Fixed() = default;
     /// SystemC has some of these for explicit use only.
     template <class From, std::enable_if_t<std::is_constructible_v<Base, From const&>, int> = 0>
@@ -44,30 +46,15 @@ template <class Base> class Fixed : public Base {
 
 template <int bits, int integer_bits, ap_q_mode quantization = AP_TRN, ap_o_mode overflow = AP_WRAP,
           int saturated_bits = 0>
-class ap_fixed
-    : public faster_ap::Fixed<sc_dt::sc_fixed<bits, integer_bits, quantization, overflow, saturated_bits>> {
-    using Fixed = faster_ap::Fixed<sc_dt::sc_fixed<bits, integer_bits, quantization, overflow, saturated_bits>>;
-
-  public:
-    static constexpr int width = bits, iwidth = integer_bits;
-
-    using Fixed::Fixed;
-    using Fixed::operator=;
-};
+using ap_fixed = faster_ap::Fixed<sc_dt::sc_fixed<bits, integer_bits, quantization, overflow, saturated_bits>, bits,
+                                  integer_bits>;
 template <int bits, int integer_bits, ap_q_mode quantization = AP_TRN, ap_o_mode overflow = AP_WRAP,
           int saturated_bits = 0>
-class ap_ufixed
-    : public faster_ap::Fixed<sc_dt::sc_ufixed<bits, integer_bits, quantization, overflow, saturated_bits>> {
-    using Fixed = faster_ap::Fixed<sc_dt::sc_ufixed<bits, integer_bits, quantization, overflow, saturated_bits>>;
-
-  public:
-    static constexpr int width = bits, iwidth = integer_bits;
-
-    using Fixed::Fixed;
-    using Fixed::operator=;
-};
+using ap_ufixed = faster_ap::Fixed<sc_dt::sc_ufixed<bits, integer_bits, quantization, overflow, saturated_bits>, bits,
+                                   integer_bits>;
 // NOLINTEND(readability-identifier-naming)
 
-template <class Base> std::ostream& operator<<(std::ostream& out, faster_ap::Fixed<Base> const& number) {
+template <class Base, int bits, int integer_bits>
+std::ostream& operator<<(std::ostream& out, faster_ap::Fixed<Base, bits, integer_bits> const& number) {
     return out << number.to_double();
 }

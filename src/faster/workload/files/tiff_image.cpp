@@ -128,25 +128,23 @@ bool read_strips(TIFF* tiff, Image<std::uint16_t>& image) {
     throw InputError(fmt::format("{}: {}, expected 16-bit greyscale TIFF in strips", path.string(), found));
 }
 
-}  // namespace
+using Mark = std::array<char, 4>;  // with which a file begins; zeros, if it is shorter
 
-namespace {
-
-/// The first four bytes; zeros, if there are not as many.
-std::array<char, 4> first_bytes(std::filesystem::path const& path) {
-    std::array<char, 4> first{};
+Mark mark_of(std::filesystem::path const& path) {
+    Mark first{};
     std::ifstream(path, std::ios::binary).read(first.data(), first.size());
     return first;
 }
 
-}  // namespace
-
-bool is_tiff(std::filesystem::path const& path) {
+bool is_of_tiff(Mark const& first) {
     constexpr std::array<std::string_view, 4> marks{std::string_view("II*\0", 4), std::string_view("MM\0*", 4),
                                                     std::string_view("II+\0", 4), std::string_view("MM\0+", 4)};
-    std::array<char, 4> const first = first_bytes(path);
     return std::find(marks.begin(), marks.end(), std::string_view(first.data(), first.size())) != marks.end();
 }
+
+}  // namespace
+
+bool is_tiff(std::filesystem::path const& path) { return is_of_tiff(mark_of(path)); }
 
 Image<std::uint16_t> read_tiff16(std::filesystem::path const& path) {
     std::string const file = read_file(path);
@@ -164,10 +162,11 @@ Image<std::uint16_t> read_tiff16(std::filesystem::path const& path) {
 }
 
 Image<std::uint16_t> read_depth_counts(std::filesystem::path const& path) {
-    if (is_tiff(path))
+    Mark const first = mark_of(path);
+    if (is_of_tiff(first))
         return read_tiff16(path);
     io::require_file(path);
-    if (first_bytes(path) != std::array<char, 4>{'\x89', 'P', 'N', 'G'})
+    if (first != Mark{'\x89', 'P', 'N', 'G'})
         io::fail(path, "is neither a PNG nor a TIFF file, expected one of 16-bit greyscale");
     return read_png16(path);
 }

@@ -17,12 +17,12 @@ Rows box_of(TriangleSetup const& setup, std::array<std::int64_t, 3> const& thres
     while (!scan.done()) {
         NearEdgeLine const line = scan.next_line();
         rows.emplace_back(static_cast<std::size_t>(columns), ' ');
-        for (int pixel = 0; pixel < line.inside.pixels();) {
-            Stretch const stretch = line.stretch_from(pixel);
-            REQUIRE(stretch.end > pixel);
-            for (; pixel < stretch.end; ++pixel)
-                rows.back()[static_cast<std::size_t>(line.inside.col(pixel) - setup.left_wall)] =
-                    stretch.is_near ? (stretch.is_inside ? '#' : '+') : (stretch.is_inside ? 'o' : '.');
+        for (int pixel = 0; pixel < line.covered.pixels(); ++pixel) {
+            auto const is_within = [pixel](int first, int end) { return first <= pixel && pixel < end; };
+            bool const is_covered = is_within(line.covered_first, line.covered_end);
+            bool const is_near = is_within(line.near_first, line.near_end) && !is_within(line.far_first, line.far_end);
+            rows.back()[static_cast<std::size_t>(line.covered.col(pixel) - setup.left_wall)] =
+                is_near ? (is_covered ? '#' : '+') : (is_covered ? 'o' : '.');
         }
     }
     return rows;

@@ -18,38 +18,26 @@ inline std::array<std::int64_t, 3> threshold_codes(std::array<double, 3> const& 
     return codes;
 }
 
-/// Pixels of a line that are equal in what they send, counted along the scan.
-struct Stretch {
-    int first = 0;
-    int end = 0;             ///< one behind the last
-    bool is_inside = false;  ///< covered by the triangle
-    bool is_near = false;    ///< near one of its edges
-};
-
-/// One line of the scan, as thesis 5.1 looks at it.
+/// One line of the scan, as thesis 5.1 looks at it: the covered run, within a longer one that comes near the triangle,
+/// around a shorter one that is too far inside to be near an edge. Pixels counted along the scan; `end`: one behind the
+/// last. A run without pixels lies where the one around it ends.
 struct NearEdgeLine {
-    ScanLine inside;  ///< where no edge value is negative
-    ScanLine reach;   ///< where none is below minus its threshold
-    ScanLine beyond;  ///< where all are above their thresholds: too far inside
+    NearEdgeLine(ScanLine const& line, ScanLine const& near, ScanLine const& far_inside)
+        : covered(line),
+          near_first(near.before),
+          near_end(near.before + near.inside),
+          covered_first(std::min(line.before, near_end)),
+          covered_end(covered_first + line.inside),
+          far_first(std::min(far_inside.before, covered_end)),
+          far_end(far_first + far_inside.inside) {}
 
-    Stretch stretch_from(int pixel) const {
-        Stretch stretch{pixel, inside.pixels(), false, false};
-        stretch.is_inside = look(inside, stretch);
-        bool const within_reach = look(reach, stretch);
-        bool const is_beyond = look(beyond, stretch);
-        stretch.is_near = within_reach && !is_beyond;
-        return stretch;
-    }
-
-  private:
-    /// Whether the stretch begins in the run of `line`; ends it where that changes. Without branches, which nothing
-    /// could foresee.
-    static bool look(ScanLine const& line, Stretch& stretch) {
-        int const run_end = line.before + line.inside;
-        for (int const change : {line.before, run_end})
-            stretch.end = std::min(stretch.end, change > stretch.first ? change : stretch.end);
-        return ((stretch.first >= line.before) & (stretch.first < run_end)) != 0;
-    }
+    ScanLine covered;
+    int near_first;  ///< where no edge value is below minus its threshold
+    int near_end;
+    int covered_first;  ///< where none is negative
+    int covered_end;
+    int far_first;  ///< where all are above their thresholds
+    int far_end;
 };
 
 /// Walks the box of a triangle as ZigzagScan does, and finds the pixels near one of its edges (thesis 5.1): an edge
@@ -58,10 +46,10 @@ struct NearEdgeLine {
 class NearEdgeScan {
   public:
     NearEdgeScan(TriangleSetup const& setup, std::array<std::int64_t, 3> const& thresholds)
-        : inside_(setup), reach_(moved(setup, thresholds, 1)), beyond_(moved(setup, thresholds, -1)) {}
+        : covered_(setup), near_(moved(setup, thresholds, 1)), far_inside_(moved(setup, thresholds, -1)) {}
 
-    bool done() const { return inside_.done(); }
-    NearEdgeLine next_line() { return {inside_.next_line(), reach_.next_line(), beyond_.next_line()}; }
+    bool done() const { return covered_.done(); }
+    NearEdgeLine next_line() { return {covered_.next_line(), near_.next_line(), far_inside_.next_line()}; }
 
   private:
     /// The triangle with its edges moved outwards by their thresholds (`sign` 1), or inwards by the smallest step more.
@@ -71,9 +59,9 @@ class NearEdgeScan {
         return setup;
     }
 
-    ZigzagScan inside_;
-    ZigzagScan reach_;
-    ZigzagScan beyond_;
+    ZigzagScan covered_;
+    ZigzagScan near_;
+    ZigzagScan far_inside_;
 };
 
 }  // namespace faster::datapath

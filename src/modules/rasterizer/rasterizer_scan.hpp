@@ -67,7 +67,8 @@ template <class Lines, bool Ahead> void RasterizerVariant::send_run(datapath::Sc
     bool const ends_here = line.last && line.inside == 1 && line.after == 0;
     bool const flushes = !previous_inside_ && !ends_here;
     bool const leaves = line.after > 0;
-    write_run(line, flushes ? &previous_ : nullptr, leaves);
+    burst_.write_run(line, window_, flushes ? &previous_ : nullptr, leaves);
+    hand_over_in_lockstep();
     previous_inside_ = !leaves;
     RunIterations const run{line.inside, flushes, leaves, leaves && !Lines::skips_outside ? line.after - 1 : 0};
     if (Ahead && ahead_.first_iterations > 0)
@@ -77,10 +78,15 @@ template <class Lines, bool Ahead> void RasterizerVariant::send_run(datapath::Sc
         tell_run(clock_, ports_, run);
 }
 
-template <bool Ahead> void RasterizerVariant::send_edge(EdgeToken const& token) {
-    burst_.write_edge(token);
+/// There, tokens have to be in the channels before the iterations that write them.
+inline void RasterizerVariant::hand_over_in_lockstep() {
     if (clock_.lockstep())
         hand_over();
+}
+
+template <bool Ahead> void RasterizerVariant::send_edge(EdgeToken const& token) {
+    burst_.write_edge(token);
+    hand_over_in_lockstep();
     iterate<Ahead>(ports_.edge, 1);
 }
 

@@ -147,18 +147,6 @@ datapath::TriangleSetup RasterizerVariant::set_up(TriangleCode const& triangle) 
     return datapath::set_up(triangle, core_.stimulus.width, core_.stimulus.height, core_.stimulus.fraction.vertex_xy);
 }
 
-void RasterizerVariant::write_run(datapath::ScanLine const& line, EdgeToken const* before, bool leaves) {
-    burst_.write_run(line, window_, before, leaves);
-    if (clock_.lockstep())
-        hand_over();
-}
-
-void RasterizerVariant::send_stretch(datapath::ScanLine const& line, datapath::Stretch const& stretch) {
-    burst_.write_stretch(line, window_, stretch);
-    if (clock_.lockstep())
-        hand_over();
-}
-
 void RasterizerVariant::hand_over() {
     if (touched_)
         touch_written();

@@ -58,7 +58,6 @@ class RasterizerVariant : public sc_core::sc_module {
     template <class Lines, bool Ahead> void scan(datapath::TriangleSetup const& setup);
     template <class Lines, bool Ahead> void send_line(datapath::ScanLine const& line);
     template <class Lines, bool Ahead> void send_run(datapath::ScanLine const& line);
-    void write_run(datapath::ScanLine const& line, EdgeToken const* before, bool leaves);
     template <bool Ahead> void send_edge(EdgeToken const& token);
     template <bool Ahead> void scan_near_edges(datapath::TriangleSetup const& setup);
     template <bool Ahead> void send_near_edge_line(datapath::NearEdgeLine const& line);
@@ -68,8 +67,8 @@ class RasterizerVariant : public sc_core::sc_module {
     template <class Lines, bool Ahead> void scan_groups(datapath::TriangleSetup const& setup);
     template <class Lines, bool Ahead> void send_groups(datapath::GroupedLine const& line);
     void send_group_tokens(datapath::GroupedLine const& line);
-    void send_stretch(datapath::ScanLine const& line, datapath::Stretch const& stretch);
     void hand_over();
+    void hand_over_in_lockstep();
     void end_burst();
     void end_sample();
     void touch_written();

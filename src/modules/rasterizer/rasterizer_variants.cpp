@@ -4,8 +4,9 @@
 
 namespace faster {
 
-/// Thesis 5.1: every pixel of the box near an edge of the triangle is a token, covered or not.
-template <bool Ahead> void RasterizerVariant::scan_near_edges(datapath::TriangleSetup const& setup) {
+/// Thesis 5.1: every pixel of the box near an edge of the triangle is a token, covered or not. Flattened, so that lines
+/// stay in registers.
+template <bool Ahead> [[gnu::flatten]] void RasterizerVariant::scan_near_edges(datapath::TriangleSetup const& setup) {
     burst_.begin(setup);
     datapath::NearEdgeScan scan(setup, thresholds_);
     while (!scan.done())
@@ -14,14 +15,22 @@ template <bool Ahead> void RasterizerVariant::scan_near_edges(datapath::Triangle
 }
 
 template <bool Ahead> void RasterizerVariant::send_near_edge_line(datapath::NearEdgeLine const& line) {
-    for (int pixel = 0; pixel < line.inside.pixels();) {
-        datapath::Stretch const stretch = line.stretch_from(pixel);
-        send_stretch(line.inside, stretch);
-        timing::Ports const fragment_ports = stretch.is_inside ? pixel_ports_ : timing::Ports();
-        timing::Ports const token_port = stretch.is_near ? ports_.edge : timing::Ports();
-        iterate<Ahead>(fragment_ports | token_port, static_cast<std::uint32_t>(stretch.end - stretch.first));
-        pixel = stretch.end;
-    }
+    burst_.write_fragments(line.covered, window_);
+    burst_.write_edges(line.covered, window_, line.near_first, line.far_first);
+    burst_.write_edges(line.covered, window_, line.far_end, line.near_end);
+    hand_over_in_lockstep();
+    auto const iterations = [this](timing::Ports ports, int count) {
+        if (count > 0)
+            iterate<Ahead>(ports, static_cast<std::uint32_t>(count));
+    };
+    timing::Ports const both = pixel_ports_ | ports_.edge;
+    iterations(timing::no_ports, line.near_first);
+    iterations(ports_.edge, line.covered_first - line.near_first);
+    iterations(both, line.far_first - line.covered_first);
+    iterations(pixel_ports_, line.far_end - line.far_first);
+    iterations(both, line.covered_end - line.far_end);
+    iterations(ports_.edge, line.near_end - line.covered_end);
+    iterations(timing::no_ports, line.covered.pixels() - line.near_end);
 }
 
 /// Without tokens of what lies beside a triangle: no iteration but those of the pixels.
@@ -41,9 +50,10 @@ template <class Lines, bool Ahead> void RasterizerVariant::send_covered(datapath
     if (!Lines::skips_outside)
         iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.before));
     if (edge_token_ != nullptr)
-        write_run(line, nullptr, false);
+        burst_.write_run(line, window_, nullptr, false);
     else
-        send_stretch(line, {line.before, line.before + line.inside, true, false});
+        burst_.write_fragments(line, window_);
+    hand_over_in_lockstep();
     iterate<Ahead>(ports_.fragment, static_cast<std::uint32_t>(line.inside));
     if (!Lines::skips_outside)
         iterate<Ahead>(timing::no_ports, static_cast<std::uint32_t>(line.after));

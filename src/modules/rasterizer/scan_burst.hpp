@@ -84,28 +84,20 @@ class ScanBurst {
         next_index_ = index;
         next_token_ = token;
     }
-    /// Pixels of a line that are alike: fragments, if they are inside, and edge tokens, if they are near an edge.
-    void write_stretch(datapath::ScanLine const& line, WindowPlace const& window, datapath::Stretch const& stretch) {
+    /// The fragments of a line's covered run, and nothing of its edges.
+    void write_fragments(datapath::ScanLine const& line, WindowPlace const& window) {
         auto const row = static_cast<std::int16_t>(line.row - window.row);
-        int const first = line.col(stretch.first) - window.col;
-        int const end = line.col(stretch.end) - window.col;
-        if (stretch.is_inside) {
-            std::int64_t* depth = next_depth_;
-            FragmentIndex* index = next_index_;
-            std::int64_t z_sum = line.z_sum + (stretch.first - line.before) * line.z_sum_per_step;
-            for (int col = first; col != end; col += line.step, z_sum += line.z_sum_per_step) {
-                *depth++ = z_sum;
-                *index++ = {row, static_cast<std::int16_t>(col)};
-            }
-            next_depth_ = depth;
-            next_index_ = index;
+        int col = line.col(line.before) - window.col;
+        std::int64_t z_sum = line.z_sum;
+        for (int left = line.inside; left > 0; --left, col += line.step, z_sum += line.z_sum_per_step) {
+            *next_depth_++ = z_sum;
+            *next_index_++ = {row, static_cast<std::int16_t>(col)};
         }
-        if (stretch.is_near) {
-            EdgeToken* token = next_token_;
-            for (int col = first; col != end; col += line.step)
-                *token++ = {row, static_cast<std::int16_t>(col), EdgeTokenKind::Edge};
-            next_token_ = token;
-        }
+    }
+    /// Edge tokens of a line's pixels from `first` to `end`, one behind the last.
+    void write_edges(datapath::ScanLine const& line, WindowPlace const& window, int first, int end) {
+        for (int pixel = first; pixel < end; ++pixel)
+            write_edge(window.token(line.row, line.col(pixel), EdgeTokenKind::Edge));
     }
     void write_edge(EdgeToken const& token) { *next_token_++ = token; }
 

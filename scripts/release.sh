@@ -19,7 +19,7 @@ fail() {
 number=${version//./\\.}
 grep -Eq "^## $number \((unreleased|[0-9-]{10})\)$" CHANGELOG.md || fail "CHANGELOG.md has no section '## $version (unreleased)'"
 for tool in lintian help2man dpkg-shlibdeps; do
-    command -v "$tool" >/dev/null || fail "no $tool, expected what scripts/setup.sh --package --dev installs"
+    command -v "$tool" >/dev/null || fail "no $tool, expected what scripts/setup.sh --release installs"
 done
 
 sed -i "s/^## $number (unreleased)$/## $version ($(date -u +%F))/" CHANGELOG.md

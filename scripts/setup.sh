@@ -5,7 +5,8 @@
 #   scripts/setup.sh --dev       also clang-format, clang-tidy, Chromium for tests of pages, strace for tests of faults,
 #                                Valgrind to count instructions, Yosys for what the register-transfer twin takes,
 #                                matplotlib and pandas for tests of the package for Python, what makes the .deb and
-#                                tries it in a bare root, pip for releases
+#                                tries it in a bare root
+#   scripts/setup.sh --release   also what scripts/release.sh needs: --package, lintian and pip
 set -euo pipefail
 
 packages=(
@@ -18,14 +19,15 @@ packages=(
 for argument in "$@"; do
     case "$argument" in
         --package) packages+=(dpkg-dev help2man) ;;
-        --dev) packages+=(clang-format clang-tidy chromium-headless-shell strace valgrind yosys python3-matplotlib python3-pandas python3-pip
-            debootstrap dpkg-dev help2man lintian) ;;
+        --dev) packages+=(clang-format clang-tidy chromium-headless-shell strace valgrind yosys python3-matplotlib python3-pandas
+            debootstrap dpkg-dev help2man) ;;
+        --release) packages+=(dpkg-dev help2man lintian python3-pip) ;;
         -h | --help)
-            echo "usage: setup.sh [--package] [--dev]"
+            echo "usage: setup.sh [--package] [--dev] [--release]"
             exit 0
             ;;
         *)
-            echo "setup: unknown argument '$argument'; expected --package or --dev" >&2
+            echo "setup: unknown argument '$argument'; expected --package, --dev or --release" >&2
             exit 2
             ;;
     esac

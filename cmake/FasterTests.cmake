@@ -26,7 +26,6 @@ function(faster_add_test_library name type)
   add_library(${name} ${type} ${ARG_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PUBLIC faster_options Catch2::Catch2 ${ARG_LIBRARIES})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
 endfunction()
 
 # faster_add_test(NAME LABEL <unit|golden|engine|cli|browser|budget|examples> TIMEOUT seconds SOURCES... LIBRARIES...)
@@ -45,10 +44,6 @@ function(faster_add_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE FASTER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # Each file of tests is a namespace of its own, so the build can join them: what takes the compiler longest they share.
-  # What supports them has helpers of its own.
-  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 12)
-  list(FILTER ARG_SOURCES INCLUDE REGEX "^support/")
-  set_source_files_properties(${ARG_SOURCES} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_precompile_headers(${name} REUSE_FROM faster_test_header)
   target_compile_options(${name} PRIVATE ${faster_test_options})
   target_link_libraries(${name} PRIVATE faster_options Catch2::Catch2 ${ARG_LIBRARIES})

@@ -37,9 +37,9 @@ bool redirect(int descriptor, char const* file) {
 }
 
 /// A program and its arguments as execv() wants them.
-class Words {
+class ArgumentWords {
   public:
-    Words(std::string const& program, std::vector<std::string> const& arguments) : words_{program} {
+    ArgumentWords(std::string const& program, std::vector<std::string> const& arguments) : words_{program} {
         words_.insert(words_.end(), arguments.begin(), arguments.end());
         for (std::string& word : words_)
             pointers_.push_back(word.data());
@@ -52,7 +52,8 @@ class Words {
     std::vector<char*> pointers_;
 };
 
-pid_t start(Words const& words, std::filesystem::path const& folder, std::string const& out, std::string const& err) {
+pid_t start(ArgumentWords const& words, std::filesystem::path const& folder, std::string const& out,
+            std::string const& err) {
     sigset_t all, before;  // a signal that comes early is not for the test framework's handlers
     sigfillset(&all);
     sigprocmask(SIG_SETMASK, &all, &before);
@@ -83,7 +84,7 @@ CommandResult run_command(std::string const& program, std::vector<std::string> c
     TempFolder const captured;
     std::string const out = captured / "stdout", err = captured / "stderr";
     auto const start_time = std::chrono::steady_clock::now();
-    pid_t const child = start(Words(program, arguments), folder, out, err);
+    pid_t const child = start(ArgumentWords(program, arguments), folder, out, err);
     int status = 0;
     rusage usage{};
     while (wait4(child, &status, 0, &usage) < 0) {
@@ -101,7 +102,7 @@ CommandResult run_command(std::string const& program, std::vector<std::string> c
 
 int interrupted_command(std::string const& program, std::vector<std::string> const& arguments,
                         std::filesystem::path const& folder, double delay_s, int signal, double again_after_s) {
-    pid_t const child = start(Words(program, arguments), folder, "/dev/null", "/dev/null");
+    pid_t const child = start(ArgumentWords(program, arguments), folder, "/dev/null", "/dev/null");
     std::this_thread::sleep_for(std::chrono::duration<double>(delay_s));
     kill(child, signal);
     if (again_after_s > 0) {

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "faster/dataflow_names.hpp"
+#include "support/ceil_div.hpp"
 #include "support/memory_twin.hpp"
 #include "support/plain_config.hpp"
 #include "support/twin_function.hpp"
@@ -20,8 +21,6 @@ namespace faster::testing {
 namespace {
 
 constexpr Cycles never = std::numeric_limits<Cycles>::max();
-
-Cycles ceil_div(Cycles dividend, Cycles divisor) { return (dividend + divisor - 1) / divisor; }
 
 /// A FIFO that remembers the cycle of every access. What it calls legal in a cycle follows from accesses of earlier
 /// cycles alone (every rule has a `+ 1` or a `+ Lf`), so the order in which processes try does not matter.

@@ -15,7 +15,7 @@
 
 namespace faster::test {
 
-using Json = nlohmann::json;
+using Message = nlohmann::json;
 
 namespace {
 
@@ -36,7 +36,7 @@ namespace {
     _exit(127);
 }
 
-std::string quoted(std::string const& text) { return Json(text).dump(); }
+std::string quoted(std::string const& text) { return Message(text).dump(); }
 
 /// Where the thumb of a slider is, as an expression.
 std::string share_of(std::string const& selector) {
@@ -60,7 +60,7 @@ LiveBrowser::LiveBrowser(int width, int height) {
     std::string const target = call("Target.createTarget", {{"url", "about:blank"}})["targetId"];
     session_ = call("Target.attachToTarget", {{"targetId", target}, {"flatten", true}})["sessionId"];
     for (char const* domain : {"Runtime.enable", "Page.enable"})
-        call(domain, Json::object());
+        call(domain, Message::object());
     call("Emulation.setDeviceMetricsOverride",
          {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
 }
@@ -72,15 +72,15 @@ LiveBrowser::~LiveBrowser() {
     close(from_browser_);
 }
 
-Json LiveBrowser::call(std::string const& method, Json const& parameters) {
-    Json request{{"id", ++last_id_}, {"method", method}, {"params", parameters}};
+Message LiveBrowser::call(std::string const& method, Message const& parameters) {
+    Message request{{"id", ++last_id_}, {"method", method}, {"params", parameters}};
     if (!session_.empty())
         request["sessionId"] = session_;
     std::string const text = request.dump();
     if (write(to_browser_, text.c_str(), text.size() + 1) != static_cast<ssize_t>(text.size() + 1))  // with its NUL
         throw std::runtime_error("the browser does not listen");
     for (;;) {
-        Json const message = read_message();
+        Message const message = read_message();
         if (message.value("id", 0) == last_id_) {
             if (message.contains("error"))
                 throw std::runtime_error(method + ": " + message["error"].dump());
@@ -92,7 +92,7 @@ Json LiveBrowser::call(std::string const& method, Json const& parameters) {
     }
 }
 
-Json LiveBrowser::read_message() {
+Message LiveBrowser::read_message() {
     std::size_t end = 0;
     while ((end = unread_.find('\0')) == std::string::npos) {
         std::array<char, 65536> buffer{};
@@ -101,19 +101,19 @@ Json LiveBrowser::read_message() {
             throw std::runtime_error("the browser has ended");
         unread_.append(buffer.data(), static_cast<std::size_t>(read_now));
     }
-    Json message = Json::parse(unread_.substr(0, end));
+    Message message = Message::parse(unread_.substr(0, end));
     unread_.erase(0, end + 1);
     return message;
 }
 
 void LiveBrowser::open(std::string const& address) { call("Page.navigate", {{"url", address}}); }
 
-Json LiveBrowser::value(std::string const& expression) {
-    Json const answer =
+Message LiveBrowser::value(std::string const& expression) {
+    Message const answer =
         call("Runtime.evaluate", {{"expression", expression}, {"returnByValue", true}, {"awaitPromise", true}});
     if (answer.contains("exceptionDetails"))
         throw std::runtime_error(expression + ": " + answer["exceptionDetails"].dump());
-    return answer["result"].value("value", Json());
+    return answer["result"].value("value", Message());
 }
 
 bool LiveBrowser::becomes_true(std::string const& expression, std::chrono::seconds within) {
@@ -127,10 +127,10 @@ bool LiveBrowser::becomes_true(std::string const& expression, std::chrono::secon
 }
 
 LiveBrowser::Box LiveBrowser::box_of(std::string const& selector) {
-    Json const box = value("(() => { const e = document.querySelector(" + quoted(selector) +
-                           "); e.scrollIntoView({block: 'center', behavior: 'instant'}); const r = "
-                           "e.getBoundingClientRect(); return [r.left, r.top, "
-                           "r.width, r.height]; })()");
+    Message const box = value("(() => { const e = document.querySelector(" + quoted(selector) +
+                              "); e.scrollIntoView({block: 'center', behavior: 'instant'}); const r = "
+                              "e.getBoundingClientRect(); return [r.left, r.top, "
+                              "r.width, r.height]; })()");
     return {box[0], box[1], box[2], box[3]};
 }
 
@@ -155,8 +155,8 @@ LiveBrowser::Point LiveBrowser::press_on(std::string const& selector,
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
     Point const at = place_in(box_of(selector));
-    Json const there = value("(document.elementFromPoint(" + std::to_string(at.x) + ", " + std::to_string(at.y) +
-                             ") || { outerHTML: 'nothing' }).outerHTML.slice(0, 200)");
+    Message const there = value("(document.elementFromPoint(" + std::to_string(at.x) + ", " + std::to_string(at.y) +
+                                ") || { outerHTML: 'nothing' }).outerHTML.slice(0, 200)");
     throw std::runtime_error(selector + ": the mouse does not hit it, but " + there.dump());
 }
 

@@ -6,13 +6,12 @@
 #include <stdexcept>
 
 #include "faster/dataflow_names.hpp"
+#include "support/ceil_div.hpp"
 
 namespace faster::testing {
 namespace {
 
 constexpr std::uint64_t granule_bytes = 64;
-
-std::uint64_t ceil_div(std::uint64_t dividend, std::uint64_t divisor) { return (dividend + divisor - 1) / divisor; }
 
 std::uint64_t rounded(double value) { return static_cast<std::uint64_t>(std::llround(value)); }
 

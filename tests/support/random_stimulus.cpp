@@ -32,13 +32,13 @@ class Dice {
 constexpr int pixels_beyond_image = 20;
 
 /// Corners in vertex_xy codes.
-struct Corner {
+struct ImagePoint {
     int x = 0;
     int y = 0;
 };
 
 struct Corners {
-    Corner at[3];
+    ImagePoint at[3];
 };
 
 std::int64_t area_of(Corners const& t) {
@@ -81,7 +81,7 @@ class TriangleDice {
 
   private:
     Corners corners_of(TriangleKind kind, SampleInput const& sample) {
-        Corner const centre = near_centre(sample);
+        ImagePoint const centre = near_centre(sample);
         switch (kind) {
             case TriangleKind::Tiny:
                 return around(centre, 2 * pixel_);
@@ -108,38 +108,38 @@ class TriangleDice {
         return around(centre, 10 * pixel_);
     }
 
-    Corner clipped(int x, int y) const { return Corner{std::clamp(x, 0, max_x_), std::clamp(y, 0, max_y_)}; }
-    Corner anywhere() { return Corner{dice_.between(0, max_x_), dice_.between(0, max_y_)}; }
+    ImagePoint clipped(int x, int y) const { return ImagePoint{std::clamp(x, 0, max_x_), std::clamp(y, 0, max_y_)}; }
+    ImagePoint anywhere() { return ImagePoint{dice_.between(0, max_x_), dice_.between(0, max_y_)}; }
 
-    Corner near_centre(SampleInput const& sample) {
+    ImagePoint near_centre(SampleInput const& sample) {
         int const reach = window_ / 2 + 2;
         return clipped((sample.centre_col + dice_.between(-reach, reach)) * pixel_ + dice_.between(0, pixel_ - 1),
                        (sample.centre_row + dice_.between(-reach, reach)) * pixel_ + dice_.between(0, pixel_ - 1));
     }
 
-    Corners around(Corner const& centre, int reach) {
+    Corners around(ImagePoint const& centre, int reach) {
         Corners t;
-        for (Corner& corner : t.at) {
+        for (ImagePoint& corner : t.at) {
             corner = clipped(centre.x + dice_.between(-reach, reach), centre.y + dice_.between(-reach, reach));
         }
         return t;
     }
 
     Corners huge() {
-        Corners t{{Corner{dice_.between(0, max_x_ / 4), dice_.between(0, max_y_)},
-                   Corner{dice_.between(3 * (max_x_ / 4), max_x_), dice_.between(0, max_y_ / 4)},
-                   Corner{dice_.between(0, max_x_), dice_.between(3 * (max_y_ / 4), max_y_)}}};
+        Corners t{{ImagePoint{dice_.between(0, max_x_ / 4), dice_.between(0, max_y_)},
+                   ImagePoint{dice_.between(3 * (max_x_ / 4), max_x_), dice_.between(0, max_y_ / 4)},
+                   ImagePoint{dice_.between(0, max_x_), dice_.between(3 * (max_y_ / 4), max_y_)}}};
         std::rotate(&t.at[0], &t.at[dice_.between(0, 2)], &t.at[0] + 3);
         return t;
     }
 
-    Corners sliver(Corner const& from) {
-        Corner const to = anywhere();
+    Corners sliver(ImagePoint const& from) {
+        ImagePoint const to = anywhere();
         int const width = 2 * pixel_;
         return Corners{{from, to, clipped(to.x + dice_.between(-width, width), to.y + dice_.between(-width, width))}};
     }
 
-    Corners degenerate(Corner const& centre) {
+    Corners degenerate(ImagePoint const& centre) {
         if (dice_.one_in(3)) {
             return Corners{{centre, centre, centre}};
         }
@@ -148,13 +148,13 @@ class TriangleDice {
         }
         int const dx = dice_.between(-3, 3);
         int const dy = dice_.between(-3, 3);
-        Corner const from{std::clamp(centre.x, 6, max_x_ - 6), std::clamp(centre.y, 6, max_y_ - 6)};
-        return Corners{{from, Corner{from.x + dx, from.y + dy}, Corner{from.x - 2 * dx, from.y - 2 * dy}}};
+        ImagePoint const from{std::clamp(centre.x, 6, max_x_ - 6), std::clamp(centre.y, 6, max_y_ - 6)};
+        return Corners{{from, ImagePoint{from.x + dx, from.y + dy}, ImagePoint{from.x - 2 * dx, from.y - 2 * dy}}};
     }
 
     Corners border() {
         Corners t = around(anywhere(), 10 * pixel_);
-        Corner& corner = t.at[dice_.between(0, 2)];
+        ImagePoint& corner = t.at[dice_.between(0, 2)];
         switch (dice_.between(0, 3)) {
             case 0:
                 corner.x = 0;
@@ -174,7 +174,7 @@ class TriangleDice {
 
     Corners out_of_image() {
         Corners t = around(anywhere(), 10 * pixel_);
-        Corner& corner = t.at[dice_.between(0, 2)];
+        ImagePoint& corner = t.at[dice_.between(0, 2)];
         int const beyond = dice_.one_in(2) ? 1 : dice_.between(1, pixels_beyond_image * pixel_);
         switch (dice_.between(0, 3)) {
             case 0:
@@ -193,9 +193,9 @@ class TriangleDice {
         return t;
     }
 
-    Corners whole_pixels(Corner const& centre) {
+    Corners whole_pixels(ImagePoint const& centre) {
         Corners t = around(centre, 10 * pixel_);
-        for (Corner& corner : t.at) {
+        for (ImagePoint& corner : t.at) {
             corner.x -= corner.x % pixel_;
             corner.y -= corner.y % pixel_;
         }

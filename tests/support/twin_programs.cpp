@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "faster/dataflow_names.hpp"
+#include "support/ceil_div.hpp"
 #include "support/plain_config.hpp"
 #include "support/twin_function.hpp"
 
@@ -197,8 +198,6 @@ TwinProgram area_reciprocal(AcceleratorConfig const& config, TwinSampleFunction 
     }
     return program;
 }
-
-std::size_t ceil_div(std::size_t dividend, std::size_t divisor) { return (dividend + divisor - 1) / divisor; }
 
 /// Tokens that have a pixel of a row of the region.
 std::size_t row_tokens(AcceleratorConfig const& config, TwinRegion const& region) {

@@ -310,8 +310,8 @@ TEST_CASE("The loop finds what its scores point to, and never loses the best sam
     config.resampling = method;
     config.seed = seed;
     std::vector<Iteration> iterations;
-    Estimate const found = estimate(scene, config, 200, closeness_to(target),
-                                    [&](Iteration const& iteration) { iterations.push_back(iteration); });
+    estimation::Estimate const found = estimate(scene, config, 200, closeness_to(target),
+                                                [&](Iteration const& iteration) { iterations.push_back(iteration); });
     REQUIRE(iterations.size() == 50);
     CHECK(found.iterations == 50);
     CHECK(found.ending == Ending::iterations);
@@ -332,7 +332,7 @@ TEST_CASE("The loop finds what its scores point to, and never loses the best sam
 TEST_CASE("The loop ends with the first iteration that reaches stop_weight", "[estimation]") {
     EstimatorConfig config = plain_config();
     config.stop_weight = 0.5;
-    Estimate const found = estimate(can_scene(0.6), config, 100, closeness_to(some_particle()));
+    estimation::Estimate const found = estimate(can_scene(0.6), config, 100, closeness_to(some_particle()));
     CHECK(found.ending == Ending::stop_weight);
     CHECK(found.iterations < 50);
     CHECK(found.weight >= 0.5);
@@ -347,7 +347,7 @@ TEST_CASE("Runs know nothing of each other, and the heaviest is kept", "[estimat
     Scene const scene = can_scene(0.6);
     Score const score = closeness_to(some_particle());
     std::vector<Iteration> iterations;
-    Estimate const found =
+    estimation::Estimate const found =
         estimate(scene, config, 30, score, [&](Iteration const& iteration) { iterations.push_back(iteration); });
     REQUIRE(iterations.size() == 16);
     CHECK(found.iterations == 16);
@@ -357,7 +357,7 @@ TEST_CASE("Runs know nothing of each other, and the heaviest is kept", "[estimat
     double heaviest = 0;
     for (std::uint64_t run = 0; run < 4; ++run) {
         alone.seed = config.seed + run;
-        Estimate const own = estimate(scene, alone, 30, score);
+        estimation::Estimate const own = estimate(scene, alone, 30, score);
         CAPTURE(run);
         CHECK(iterations[4 * run].number == 0);
         CHECK(iterations[4 * run + 3].run == run);
@@ -466,7 +466,7 @@ TEST_CASE("The mean of a cluster weighs its poses and leaves out the others", "[
     config.estimate = EstimateKind::mean;
     Particle target = best;
     target.middle = {-0.04, -0.03, 0.66};
-    Estimate const found = estimate(can_scene(0.6), config, 200, closeness_to(target));
+    estimation::Estimate const found = estimate(can_scene(0.6), config, 200, closeness_to(target));
     CHECK((found.particle.middle - target.middle).norm() < 0.02);
 }
 

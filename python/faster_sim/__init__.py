@@ -8,14 +8,15 @@ Keys are those of the configuration (`faster-sim keys`). docs/python.md teaches 
 """
 
 from faster_sim._core import InputError, commit as __commit__, version as __version__
-from faster_sim._errors import DeadlockError, ProgramError
+from faster_sim._errors import DeadlockError, InputWarning, ProgramError
 from faster_sim._events import Events
 from faster_sim._results import Answer, Check, Result
 from faster_sim._run import Program, check, compare, estimate, evaluate, load_events, record, run, sweep
 from faster_sim._tables import Table, to_pandas
 
-__all__ = ["Answer", "Check", "DeadlockError", "Events", "InputError", "Program", "ProgramError", "Result", "Table", "check",
-           "compare", "estimate", "evaluate", "load_events", "record", "run", "sweep", "to_pandas"]
+__all__ = ["Answer", "Check", "DeadlockError", "Events", "InputError", "InputWarning", "Program", "ProgramError", "Result", "Table",
+           "check", "compare", "estimate", "evaluate", "load_events", "record", "run", "sweep", "to_pandas"]
 
 InputError.__module__ = __name__  # where users know it from
 DeadlockError.__module__ = __name__
+InputWarning.__module__ = __name__

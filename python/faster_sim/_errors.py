@@ -7,7 +7,11 @@ from faster_sim import _tables
 from faster_sim._core import InputError
 from faster_sim._tables import Table
 
-__all__ = ["DeadlockError", "InputError", "ProgramError"]
+__all__ = ["DeadlockError", "InputError", "InputWarning", "ProgramError"]
+
+
+class InputWarning(UserWarning):
+    """Input that can be worked with, but looks like a mistake: a mesh in millimetres, a camera outside of its image."""
 
 
 class ProgramError(RuntimeError):

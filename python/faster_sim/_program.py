@@ -7,11 +7,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable, Iterator, Optional, Sequence, Union
 
-from faster_sim._errors import InputError, ProgramError
+from faster_sim._errors import InputError, InputWarning, ProgramError
 
 Progress = Callable[[int, int], object]
 """Told how much of how much is done. What it raises ends the work."""
@@ -20,6 +21,7 @@ Path_ = Union[str, "os.PathLike[str]"]
 
 DEFAULT = "faster-sim"
 EXIT_DONE, EXIT_FAILED_CHECK, EXIT_BAD_INPUT, EXIT_DEADLOCK = range(4)
+_WARNING_LINE = re.compile(r"^[^\s:]+: warning: (.*)\n?", re.MULTILINE)
 _PROGRESS_LINE = re.compile(rb"\r\[[^\r\n]*\x1b\[K|\r\x1b\[K")
 
 
@@ -59,14 +61,15 @@ def _places(name: str) -> Iterator[str]:
 
 
 def call(program: Path_, arguments: Sequence[str], progress: Optional[Progress] = None) -> Ended:
-    """Raises InputError with the program's line, where the input is bad. A failed check and a deadlock are for the caller."""
+    """Raises InputError with the program's line, where the input is bad. A failed check and a deadlock are for the caller.
+    Each warning of the program becomes an InputWarning."""
     for word in arguments:
         if "\0" in word:
             raise InputError(f"{word!r} has a character of code 0, expected none")
     found = find(program)
     with tempfile.TemporaryFile() as errors, tempfile.TemporaryFile() as output:
         code = _call([found, *arguments], output, errors, progress)
-        ended = Ended(code, _read(output), _read(errors))
+        ended = Ended(code, _read(output), _warned(_read(errors)))
     said = ended.errors.strip()
     if code == EXIT_BAD_INPUT:
         raise InputError(said.removeprefix(Path(found).name + ": "))
@@ -79,6 +82,16 @@ def main() -> None:
     """The command `faster-sim` of an installed wheel."""
     found = str(Path(__file__).absolute().parent / "bin" / DEFAULT)
     os.execv(found, [DEFAULT, *sys.argv[1:]])
+
+
+def _warned(errors: str) -> str:
+    """What is left without the warnings, which are told of the line outside of this package that called it."""
+    level, frame = 1, sys._getframe()
+    while frame is not None and frame.f_globals.get("__name__", "").startswith("faster_sim."):
+        level, frame = level + 1, frame.f_back  # type: ignore[assignment]
+    for text in _WARNING_LINE.findall(errors):
+        warnings.warn(text, InputWarning, stacklevel=level)
+    return _WARNING_LINE.sub("", errors)
 
 
 def _read(file: object) -> str:

@@ -14,6 +14,7 @@ import tempfile
 import threading
 import time
 import unittest
+import warnings
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -132,6 +133,21 @@ class PackageTest(unittest.TestCase):
             faster_sim.load_events(self.folder / "nowhere.events")
         with self.assertRaises(faster_sim.InputError):
             self.events.whatif_matrix([{"workload.samples.count": 3}])
+
+    def test_what_looks_like_a_mistake_is_a_warning_of_the_line_that_asked(self) -> None:
+        told = "workload.camera.cx = 9000: the optical axis is outside"
+        for command in (lambda: faster_sim.run(CONFIG, workload__camera__cx=9000, **SMALL),
+                        lambda: faster_sim.record(CONFIG, self.folder / "warned.events", workload__camera__cx=9000, **SMALL),
+                        lambda: faster_sim.estimate(CONFIG, untimed=True, estimator__iterations=1, workload__camera__cx=9000,
+                                                    **{"workload.samples.count": 6})):
+            with self.assertWarnsRegex(faster_sim.InputWarning, "^" + told) as warned:
+                command()
+            self.assertEqual(warned.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            faster_sim.run(CONFIG, **SMALL)
+            with self.assertRaisesRegex(faster_sim.InputWarning, told):
+                faster_sim.run(CONFIG, workload__camera__cx=9000, **SMALL)
 
     def test_bounds_without_sense_are_refused_before_the_search(self) -> None:
         for within in (-1, float("nan"), float("inf"), -0.001, 1e7, 10**400, None, "5", True):

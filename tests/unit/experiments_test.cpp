@@ -1,11 +1,13 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <set>
 
 #include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/held_signals.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/models/builtin_models.hpp"
 #include "poses/bop/read_dataset.hpp"
@@ -13,6 +15,7 @@
 #include "poses/experiments/estimate_journal.hpp"
 #include "poses/experiments/experiment_file.hpp"
 #include "poses/experiments/made_dataset.hpp"
+#include "poses/experiments/scene_meshes.hpp"
 #include "poses/experiments/ycb_classes.hpp"
 #include "support/input_error_text.hpp"
 #include "support/temp_folder.hpp"
@@ -159,7 +162,8 @@ TEST_CASE("Made scenes are a dataset of BOP, and are made once", "[experiments][
     setting.images = 2;
     std::size_t told = 0;
     auto const make = [&](std::uint64_t seed) {
-        make_dataset(folder / "made", setting, seed, 2, [&](std::size_t done, std::size_t) { told = done; });
+        make_dataset(folder / "made", setting, all_meshes(), seed, 2,
+                     [&](std::size_t done, std::size_t) { told = done; });
     };
     make(1);
     CHECK(told == 2);
@@ -213,14 +217,17 @@ TEST_CASE("Scenes can be made from meshes of a folder", "[experiments][bop]") {
     setting.images = 1;
     setting.visible = {0.95, 1};  // soon found
     std::size_t told = 0;
+    std::vector<std::string> warnings;
     auto const make = [&] {
-        make_dataset(folder / "made", setting, 1, 2, [&](std::size_t done, std::size_t) { told = done; });
+        warnings.clear();
+        make_dataset(folder / "made", setting, scene_meshes(setting.models, 2, warnings), 1, 2,
+                     [&](std::size_t done, std::size_t) { told = done; });
+        CHECK(warnings.empty());
     };
     make();
     CHECK(told == 1);
     bop::Dataset const dataset = bop::read_dataset(folder / "made");
     REQUIRE(dataset.models.size() == 2);
-    std::vector<std::string> warnings;
     Eigen::AlignedBox3d box;
     for (Eigen::Vector3d const& vertex : bop::load_model(dataset.models.at(10), warnings).vertices)
         box.extend(vertex);
@@ -233,6 +240,35 @@ TEST_CASE("Scenes can be made from meshes of a folder", "[experiments][bop]") {
     CHECK_THAT(input_error_text(make), Catch::Matchers::Contains("has no mesh of bowl, expected one called bowl.obj"));
     setting.models = folder / "made";
     CHECK_THAT(input_error_text(make), Catch::Matchers::Contains("has no mesh of a class"));
+}
+
+TEST_CASE("Meshes of made scenes that are larger than a scene, or look like millimetres, are told", "[experiments]") {
+    TempFolder const folder;
+    Mesh mug = all_meshes().at(14);
+    auto const enlarge = [&](double factor) {
+        for (Eigen::Vector3d& vertex : mug.vertices)
+            vertex *= factor;
+        folder.write("mug.obj", obj_text(mug));
+    };
+    std::vector<std::string> warnings;
+    enlarge(10);
+    scene_meshes(folder.path(), 1, warnings);
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0], Catch::Matchers::Contains(" m long; expected less than 0.8 m, as scenes are made of"));
+    warnings.clear();
+    enlarge(100);
+    scene_meshes(folder.path(), 1, warnings);
+    REQUIRE(warnings.size() == 1);
+    CHECK_THAT(warnings[0], Catch::Matchers::Contains("mug.obj: is 1") &&
+                                Catch::Matchers::Contains("looks like millimetres; expected less than 3 m, as scenes"));
+}
+
+TEST_CASE("A signal ends the making of a scene", "[experiments]") {
+    processes::HeldSignals const held;
+    REQUIRE(small_scene(0, {0, 1}).objects.size() > 1);
+    std::raise(SIGINT);
+    CHECK_THROWS_AS(small_scene(0, {0, 1}), processes::Interrupted);
+    processes::forget_signal();
 }
 
 TEST_CASE("A journal of estimates gives back what it was given, but for damaged rows", "[experiments]") {
@@ -300,6 +336,10 @@ TEST_CASE("What is wrong with an experiment file is said with its line", "[exper
     says("  grip:", "  g/rip:", {":9: ", "is no name"});
     says("{dataset: frames}", "{dataset: frames, models: frames}", {":7: ", "models"});
     says("{dataset: frames}", "{dataset: frames, images: 3, objects: [mug]}", {":7: ", "either dataset, or objects"});
+    for (std::string const key : {"images: 3", "objects: [mug]", "visible: [0, 1]", "models: frames"})
+        says("{dataset: frames}", ("{dataset: frames, " + key + "}").c_str(),
+             {":7: ", "has " + key.substr(0, key.find(':')) + ", expected none beside dataset"});
+    says("mug]", "widget]", {":6: ", "others are looked for in a dataset only"});
     says("methods:", "method:", {":8: method", "did you mean methods?"});
 }
 

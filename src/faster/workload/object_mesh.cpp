@@ -116,6 +116,25 @@ Mesh scaled(Mesh mesh, double scale) {
     return mesh;
 }
 
+constexpr double smallest_m = 0.005, largest_m = 3, too_large_for_centimetres_m = 10;
+
+/// A unit that a file may have been written in, and the key's value that reads it.
+struct LengthUnit {
+    char const* name;
+    char const* scale;
+};
+constexpr LengthUnit metres{"metres", "1"}, centimetres{"centimetres", "0.01"}, millimetres{"millimetres", "0.001"};
+
+/// The unit that would make a mesh hand-sized; null if it is.
+LengthUnit const* unit_of_length(double side_m) {
+    constexpr double rounding = 1e-4;  // of positions in single precision, and of what is printed
+    if (side_m < smallest_m * (1 - rounding))
+        return &metres;
+    if (side_m < largest_m)
+        return nullptr;
+    return side_m < too_large_for_centimetres_m ? &centimetres : &millimetres;
+}
+
 }  // namespace
 
 double longest_side_m(Mesh const& mesh) {
@@ -127,21 +146,23 @@ double longest_side_m(Mesh const& mesh) {
     return box.sizes().maxCoeff();
 }
 
-std::string size_warning(Mesh const& mesh, std::string const& file) {
-    constexpr double smallest_m = 0.005, largest_m = 3, too_large_for_centimetres_m = 10;
-    constexpr double rounding = 1e-4;  // of positions in single precision, and of what is printed
+std::string length_warning(Mesh const& mesh, std::string const& file) {
     double const side_m = longest_side_m(mesh);
-    bool const is_small = side_m < smallest_m * (1 - rounding);
-    if (!is_small && side_m < largest_m)
+    LengthUnit const* const unit = unit_of_length(side_m);
+    if (unit == nullptr)
         return {};
-    if (is_small)
-        return fmt::format("{}: is {:.4g} m long; expected at least {} m (workload.mesh_files.scale: 1 reads metres)",
-                           file, side_m, smallest_m);
-    bool const is_in_mm = side_m >= too_large_for_centimetres_m;
-    return fmt::format(
-        "{}: is {:.4g} m long, which looks like {}; expected less than {} m (workload.mesh_files.scale: {} reads {})",
-        file, side_m, is_in_mm ? "millimetres" : "centimetres", largest_m, is_in_mm ? "0.001" : "0.01",
-        is_in_mm ? "millimetres" : "centimetres");
+    if (unit == &metres)
+        return fmt::format("{}: is {:.4g} m long; expected at least {} m", file, side_m, smallest_m);
+    return fmt::format("{}: is {:.4g} m long, which looks like {}; expected less than {} m", file, side_m, unit->name,
+                       largest_m);
+}
+
+std::string size_warning(Mesh const& mesh, std::string const& file) {
+    std::string const text = length_warning(mesh, file);
+    if (text.empty())
+        return {};
+    LengthUnit const& unit = *unit_of_length(longest_side_m(mesh));
+    return fmt::format("{} (workload.mesh_files.scale: {} reads {})", text, unit.scale, unit.name);
 }
 
 std::string duplicates_warning(Mesh const& mesh, std::string const& file) {

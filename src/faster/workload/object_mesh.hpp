@@ -13,6 +13,9 @@ double longest_side_m(Mesh const& mesh);
 /// What is wrong with the size of the object of a mesh file, for people; empty if nothing is. A camera of 3 m range
 /// sees objects that are hand-sized: one of 10 m is one of 1 cm at least whose file is in millimetres, one of 3 m is
 /// one of 3 cm in centimetres, and one of less than 5 mm is too small to be seen.
+std::string length_warning(Mesh const& mesh, std::string const& file);
+
+/// With the key that reads another unit.
 std::string size_warning(Mesh const& mesh, std::string const& file);
 
 /// What was left out of a mesh on simplifying it, for people; empty if nothing was.

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "dataflow/base/held_signals.hpp"
+#include "faster/dataflow_names.hpp"
+
 namespace faster::workload {
 namespace {
 
@@ -82,6 +85,7 @@ void draw_mesh(Mesh const& mesh, Pose const& pose, Camera const& camera, DepthIm
         in_camera.emplace_back(pose.rotation * vertex + pose.translation);
     }
     for (auto const& face : mesh.faces) {
+        processes::give_up_if_interrupted();  // a mesh in millimetres covers every pixel with each of its faces
         draw_triangle({in_camera[face[0]], in_camera[face[1]], in_camera[face[2]]}, camera, depth);
     }
 }

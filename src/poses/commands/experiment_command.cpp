@@ -33,6 +33,7 @@
 #include "poses/experiments/boxes_of_detector.hpp"
 #include "poses/experiments/experiment_file.hpp"
 #include "poses/experiments/made_dataset.hpp"
+#include "poses/experiments/scene_meshes.hpp"
 #include "poses/judging/counted_poses.hpp"
 
 namespace faster {
@@ -141,9 +142,12 @@ std::vector<SettingData> prepared(experiments::Experiment const& experiment, fs:
         fs::path const made = out / "scenes" / setting.name;
         if (setting.dataset.empty()) {
             fs::create_directories(out / "scenes");
+            std::vector<std::string> odd_meshes;
+            std::map<int, Mesh> meshes = experiments::scene_meshes(setting.models, jobs, odd_meshes);
+            say_warnings(odd_meshes);
             ProgressLine progress("scenes");
             std::size_t const missed =
-                experiments::make_dataset(made, setting, experiment.seed, jobs,
+                experiments::make_dataset(made, setting, std::move(meshes), experiment.seed, jobs,
                                           [&](std::size_t done, std::size_t all) { progress.show(done, all); });
             if (missed > 0)
                 say_warnings(

@@ -150,7 +150,10 @@ class ExperimentReader {
         Setting setting;
         setting.name = map.name;
         static Names const names{"dataset", "models", "objects", "images", "visible", "boxes"};
+        std::string of_made_scenes;  // the first such key
         for (MapEntry const& entry : read_entries(map.value, "scenes." + map.name + ".", faults_)) {
+            if (entry.name != "dataset" && entry.name != "boxes" && of_made_scenes.empty())
+                of_made_scenes = entry.name;
             if (entry.name == "dataset")
                 read_path(entry, setting.dataset);
             else if (entry.name == "models")
@@ -169,8 +172,9 @@ class ExperimentReader {
         bool const is_either = setting.dataset.empty() != (setting.objects.empty() || setting.images == 0);
         if (!is_either && faults_.size() == faults_before)
             faults_.push_back({map.line, map.name, std::nullopt, "expected either dataset, or objects and images"});
-        if (!setting.dataset.empty() && !setting.models.empty())
-            faults_.push_back({map.line, map.name, std::nullopt, "has models, which a dataset brings itself"});
+        else if (!setting.dataset.empty() && !of_made_scenes.empty() && faults_.size() == faults_before)
+            faults_.push_back({map.line, map.name, std::nullopt,
+                               "has " + of_made_scenes + ", expected none beside dataset, which brings its own"});
         experiment_.scenes.push_back(std::move(setting));
     }
 
@@ -185,7 +189,9 @@ class ExperimentReader {
                 if (!is_class || std::count(names.begin(), names.end(), name) > 0)
                     faults_.push_back({list.line, list.name, shown(item),
                                        "expected each of the built-in classes at most once" +
-                                           (is_class ? "" : did_you_mean(name, ycb_classes()))});
+                                           (is_class ? ""
+                                                     : ", as others are looked for in a dataset only" +
+                                                           did_you_mean(name, ycb_classes()))});
                 names.push_back(name);
             }
         return names;

@@ -20,7 +20,6 @@
 #include "faster/workload/scene_renderer.hpp"
 #include "faster/workload/sensor_noise.hpp"
 #include "poses/bop/write_dataset.hpp"
-#include "poses/experiments/scene_meshes.hpp"
 #include "poses/experiments/ycb_classes.hpp"
 #include "poses/judging/mesh_symmetries.hpp"
 
@@ -364,9 +363,8 @@ MadeScene made_scene(SceneWish const& wish, std::map<int, Mesh> const& meshes, C
     return scene;
 }
 
-std::size_t make_dataset(fs::path const& folder, Setting const& setting, std::uint64_t seed, std::size_t jobs,
-                         std::function<void(std::size_t, std::size_t)> const& progress) {
-    std::map<int, Mesh> meshes = scene_meshes(setting.models, jobs);
+std::size_t make_dataset(fs::path const& folder, Setting const& setting, std::map<int, Mesh> meshes, std::uint64_t seed,
+                         std::size_t jobs, std::function<void(std::size_t, std::size_t)> const& progress) {
     for (std::string const& name : setting.objects)
         if (meshes.count(obj_id_of(name)) == 0)
             throw InputError(setting.models.string() + ": has no mesh of " + name + ", expected one called " + name +

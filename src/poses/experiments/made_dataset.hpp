@@ -37,10 +37,11 @@ struct SceneWish {
 MadeScene made_scene(SceneWish const& wish, std::map<int, Mesh> const& meshes, Camera const& camera);
 
 /// Writes a setting's scenes as a dataset in the format of BOP, whole or not at all: a scene per class, whose number is
-/// the obj_id. A folder that already holds these very scenes is left as it is. `progress` is told how many
-/// images of all are done. Tells in how many the object is not as visible as was drawn. Throws InputError if it cannot
-/// be written.
-std::size_t make_dataset(std::filesystem::path const& folder, Setting const& setting, std::uint64_t seed,
-                         std::size_t jobs, std::function<void(std::size_t done, std::size_t all)> const& progress);
+/// the obj_id, of the setting's scene_meshes(). A folder that already holds these very scenes is left as it is.
+/// `progress` is told how many images of all are done. Tells in how many the object is not as visible as was drawn.
+/// Throws InputError if it cannot be written, Interrupted if somebody wants the program to end.
+std::size_t make_dataset(std::filesystem::path const& folder, Setting const& setting, std::map<int, Mesh> meshes,
+                         std::uint64_t seed, std::size_t jobs,
+                         std::function<void(std::size_t done, std::size_t all)> const& progress);
 
 }  // namespace faster::experiments

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <fmt/format.h>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_file.hpp"
 #include "faster/workload/models/builtin_models.hpp"
+#include "faster/workload/object_mesh.hpp"
 #include "poses/experiments/ycb_classes.hpp"
 
 namespace faster::experiments {
@@ -48,9 +50,19 @@ void move_to_middle(Mesh& mesh) {
         vertex -= box.center();
 }
 
+/// Of another unit, or larger than what the camera sees of the table.
+std::string odd_size(Mesh const& mesh, std::string const& file) {
+    constexpr double sight_m = 0.8;
+    std::string const odd = workload::length_warning(mesh, file);
+    double const side_m = workload::longest_side_m(mesh);
+    return odd.empty() && side_m > sight_m
+               ? fmt::format("{}: is {:.4g} m long; expected less than {} m", file, side_m, sight_m)
+               : odd;
+}
+
 }  // namespace
 
-std::map<int, Mesh> scene_meshes(fs::path const& folder, std::size_t jobs) {
+std::map<int, Mesh> scene_meshes(fs::path const& folder, std::size_t jobs, std::vector<std::string>& warnings) {
     std::map<int, Mesh> meshes;
     if (folder.empty()) {
         for (std::string const& name : ycb_classes())
@@ -61,6 +73,8 @@ std::map<int, Mesh> scene_meshes(fs::path const& folder, std::size_t jobs) {
     std::vector<Mesh> loaded = files::load_meshes(files, {}, jobs);
     for (std::size_t i = 0; i < files.size(); ++i) {
         move_to_middle(loaded[i]);
+        if (std::string const odd = odd_size(loaded[i], files[i].string()); !odd.empty())
+            warnings.push_back(odd + ", as scenes are made of meshes in metres");
         meshes[obj_id_of_file(files[i])] = std::move(loaded[i]);
     }
     return meshes;

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "faster/dataflow_names.hpp"
+#include "faster/workload/files/png_image.hpp"
 #include "poses/bop/pose_results.hpp"
 #include "support/bop_folder.hpp"
 #include "support/command.hpp"
@@ -143,6 +144,39 @@ TEST_CASE("evaluate leaves out what is hidden, if told to", "[evaluate]") {
     require_done(result);
     CHECK_THAT(result.out, Contains("6 instances in 4 images, each at least 60 % visible"));
     check_bad_input(workspace.evaluate({"right.csv", "DATASET", "--visible-from", "1.5"}), {"--visible-from"});
+    std::filesystem::remove(workspace.dataset() / "test/000002/scene_gt_info.json");
+    CommandResult const unknown = workspace.evaluate({"right.csv", "DATASET", "--visible-from", "0.6", "--out", "out"});
+    require_done(unknown);
+    CHECK_THAT(unknown.out, Contains("7 instances in 4 images, each at least 60 % visible (4 of unknown visibility)"));
+    CHECK(nlohmann::json::parse(workspace.text("out/evaluation.json"))["of_unknown_visibility"] == 4);
+}
+
+TEST_CASE("evaluate says which depth images are missing, of another size or of another unit", "[evaluate]") {
+    Workspace const workspace;
+    std::filesystem::path const depths = workspace.dataset() / "test/000001/depth";
+    auto const warned = [&] {
+        CommandResult const result = workspace.evaluate({"right.csv", "DATASET"});
+        require_done_with_warnings(result);
+        return result.err;
+    };
+    workspace.dataset().replace("test/000001/scene_camera.json", "\"depth_scale\": 0.1", "\"depth_scale\": 1");
+    CHECK_THAT(warned(), Contains("000001/depth/000000.png: all of its ") &&
+                             Contains("depth_scale of scene_camera.json = 1 mm per count"));
+    workspace.dataset().replace("test/000001/scene_camera.json", "\"depth_scale\": 1", "\"depth_scale\": 0.1");
+    files::write_png(depths / "000003.png", Image<std::uint16_t>(24, 32));
+    CHECK_THAT(warned(), Contains("000001/depth/000003.png: is 32 x 24 pixels, expected 64 x 48 as ") &&
+                             Contains("000001/depth/000000.png of the same camera"));
+    std::filesystem::remove(depths / "000003.png");
+    CHECK_THAT(warned(),
+               Contains("000001/depth/000003.png: no such file; 1 of 4 images have no depth image, so VSD and "
+                        "AR are not known"));
+}
+
+TEST_CASE("A target of an object that there is not is told with the file of targets", "[evaluate]") {
+    Workspace const workspace;
+    workspace.dataset().replace("test_targets_bop19.json", "\"obj_id\": 1", "\"obj_id\": 3");
+    check_bad_input(workspace.evaluate({"right.csv", "DATASET"}),
+                    {"/test_targets_bop19.json: obj_id = 3, of which there is no ", "models/obj_000003.ply, expected"});
 }
 
 TEST_CASE("evaluate refuses what is wrong in one line, and writes nothing", "[evaluate]") {

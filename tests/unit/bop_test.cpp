@@ -701,6 +701,27 @@ TEST_CASE("Any value of a dataset may be of the wrong kind without more than a c
     CHECK(complaint(folder).empty());
 }
 
+TEST_CASE("Boxes of detections that are shares of the image's sides are warned of", "[bop]") {
+    TempFolder const folder;
+    auto const told = [&](char const* second) {
+        std::vector<std::string> warnings;
+        read_detections(
+            folder.write(
+                "d.json",
+                fmt::format(
+                    R"([{{"scene_id": 1, "image_id": 0, "category_id": 1, "bbox": [0.2, 0.3, 0.1, 0.7], )"
+                    R"("score": 1}}, {{"scene_id": 1, "image_id": 0, "category_id": 1, "bbox": {}, "score": 1}}])",
+                    second)),
+            warnings);
+        return warnings;
+    };
+    CHECK(told("[0.2, 0.3, 10, 7]").empty());
+    REQUIRE(told("[0, 0, 1, 1]").size() == 1);
+    CHECK_THAT(told("[0, 0, 1, 1]")[0],
+               Catch::EndsWith("d.json: all boxes lie within 0 and 1, expected pixels, not shares of "
+                               "the image's sides"));
+}
+
 TEST_CASE("Detections that are written are read back, and masks are skipped", "[bop]") {
     TempFolder const folder;
     std::vector<Detection> const detections{{{50, 4}, 2, {1.5, -2, 30, 40}, 0.968, 0.05, {}},
@@ -757,6 +778,42 @@ TEST_CASE("Frames are a dataset: their folder, the folder of these, and the one 
     fs::remove_all(data / "meshes");
     CHECK_THAT(complaint_in(data.path(), [&] { read_dataset(data / "depth"); }),
                Catch::StartsWith("meshes: no such folder"));
+}
+
+TEST_CASE("Frames of another unit are warned of, and two meshes of a class refused", "[bop]") {
+    TempFolder const data;
+    fs::create_directories(data / "depth/one");
+    fs::create_directories(data / "meshes");
+    auto const write = [&](char const* side, char const* z) {
+        data.write("meshes/a.off", fmt::format("OFF\n3 1 0\n0 0 0\n{0} 0 0\n0 {0} 0\n3 0 1 2\n", side));
+        data.write(
+            "depth/one/frames.json",
+            fmt::format(R"({{"frames": [{{"id": "1", "width": 4, "height": 3, "depth": "d.png", "depth_unit_m": 0.001,)"
+                        R"("intrinsics": {{"fx": 5, "fy": 5, "cx": 1, "cy": 1}}, "objects": [{{"class": "a", )"
+                        R"("R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "t_scan": [0, 0, {}]}}]}}]}})",
+                        z));
+    };
+    auto const warnings = [&](DatasetOptions const& options = {}) {
+        Dataset const dataset = read_dataset(data.path(), options);
+        std::vector<std::string> told = dataset.warnings;
+        load_model(dataset.models.at(1), told);
+        return told;
+    };
+    write("0.1", "0.5");
+    CHECK(warnings().empty());
+    DatasetOptions in_mm;
+    in_mm.unit_m = 0.001;
+    REQUIRE(warnings(in_mm).size() == 1);
+    CHECK_THAT(warnings(in_mm)[0],
+               Catch::Contains("a.off: is 0.0001 m long; expected at least 0.005 m (read in millimetres"));
+    write("100", "500");
+    REQUIRE(warnings().size() == 2);
+    CHECK_THAT(warnings()[0], Catch::Contains("frames.json: t_scan puts half of the objects farther than 500 m from"));
+    CHECK_THAT(warnings()[1], Catch::Contains("a.off: is 100 m long, which looks like millimetres") &&
+                                  Catch::Contains("(read in metres; --models-in"));
+    fs::copy(data / "meshes/a.off", data / "meshes/a.obj");
+    CHECK(complaint_in(data.path(), [&] { read_dataset(data.path()); }) ==
+          "meshes/a.off: is a mesh of a, as a.obj is, expected one mesh of a class");
 }
 
 TEST_CASE("Real frames are a dataset: the rendered objects are where the camera saw them", "[bop][shared_data]") {

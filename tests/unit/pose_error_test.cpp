@@ -53,6 +53,8 @@ TEST_CASE("ADD-S goes from the true points to the nearest estimated ones, and no
     Points const points{{0, 0, 0}, {1, 0, 0}, {10, 0, 0}};
     // Estimated at 9, 10, 19: from 0 it is 9, from 1 it is 8, from 10 none. The other way it would be 1, 0 and 9.
     CHECK(add_s(points, at({9, 0, 0}), Pose{}) == Approx(17.0 / 3));
+    CHECK(std::isinf(add_s(points, at({1e300, 0, 0}), Pose{})));  // as add() is
+    CHECK(std::isinf(add(points, at({1e300, 0, 0}), Pose{})));
     CHECK(add_s(points, Pose{}, at({9, 0, 0})) == Approx(10.0 / 3));
 }
 

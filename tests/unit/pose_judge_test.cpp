@@ -191,7 +191,8 @@ TEST_CASE("Estimates of something unknown, or of no target, are left out", "[pos
     dataset.images[0].objects[0].problem = "scene_gt.json: no pose";
     CHECK(complaint(dataset, {}) == "scene_gt.json: no pose");
     dataset.targets[0].obj_id = 9;
-    CHECK_THAT(complaint(dataset, {}), Catch::Contains("obj_id = 9, expected one of the dataset's: 1, 5"));
+    CHECK_THAT(complaint(dataset, {}), Catch::Contains("test_targets_bop19.json: obj_id = 9, of which there is no ") &&
+                                           Catch::EndsWith("obj_000009.ply, expected one of the dataset's: 1, 5"));
 }
 
 TEST_CASE("Estimates in metres are warned of", "[pose_judge]") {

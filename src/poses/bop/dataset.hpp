@@ -99,10 +99,12 @@ struct Dataset {
     std::vector<DatasetImage> images;   ///< by scene and image
     std::map<int, ObjectModel> models;  ///< by obj_id
     std::vector<Target> targets;        ///< of the file or, without one, every object of every image; by image, object
-    std::vector<std::string> warnings;  ///< what was mended on reading, and what looks like a mistake
+    std::filesystem::path targets_file = {};       ///< empty: there is none
+    std::vector<std::string> warnings;             ///< what was mended on reading, and what looks like a mistake
     std::vector<std::string> warnings_of_targets;  ///< for those who take them all
 
     DatasetImage const* find(ImageId id) const;  ///< null if there is none
+    std::string place_of_targets() const;        ///< for messages: what names the objects that are to be found
 };
 
 }  // namespace faster::bop

@@ -31,6 +31,9 @@ class DetectionReader {
                 fmt::format("{}: {} of {} detections have no score, expected a confidence from 0 to 1: "
                             "taken for 1",
                             path.string(), missing_, read_));
+        if (boxes_ > 0 && boxes_ == boxes_within_one_)
+            warnings.push_back(fmt::format(
+                "{}: all boxes lie within 0 and 1, expected pixels, not shares of the image's sides", path.string()));
         return warnings;
     }
 
@@ -41,9 +44,15 @@ class DetectionReader {
         if (!box || box->width == 0 || box->height == 0)
             node.at("bbox").fail("a box of something seen");
         detection.box = *box;
+        ++boxes_;
+        boxes_within_one_ += is_within_one(*box) ? 1U : 0U;
         detection.score = confidence(node);
         if (auto const time = node.find("time"); time && !time->is_null())
             detection.time_s = time->number();
+    }
+
+    static bool is_within_one(ImageBox const& box) {
+        return box.left >= 0 && box.top >= 0 && box.left + box.width <= 1 && box.top + box.height <= 1;
     }
 
     double confidence(JsonNode const& node) {
@@ -60,6 +69,7 @@ class DetectionReader {
     }
 
     std::size_t read_ = 0, missing_ = 0;
+    std::size_t boxes_ = 0, boxes_within_one_ = 0;
 };
 
 Json json_of(Detection const& detection) {

@@ -19,6 +19,7 @@
 #include "poses/bop/json_node.hpp"
 #include "poses/bop/mended_rotations.hpp"
 #include "poses/bop/model_bounds.hpp"
+#include "poses/bop/odd_lengths.hpp"
 #include "poses/bop/read_models.hpp"
 #include "poses/bop/scene_folder.hpp"
 
@@ -196,26 +197,6 @@ fs::path targets_file(fs::path const& root) {
     return {};
 }
 
-/// Half of the objects are nearer than a hand's breadth, or farther than a street is long: translations of another
-/// unit.
-void tell_of_translations(Dataset& dataset, fs::path const& split) {
-    constexpr double least_m = 0.02, most_m = 100;
-    std::vector<double> distances_m;
-    for (DatasetImage const& image : dataset.images) {
-        for (GroundTruth const& object : image.objects)
-            distances_m.push_back(object.pose.translation.norm());
-    }
-    if (distances_m.empty())
-        return;
-    auto const middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
-    std::nth_element(distances_m.begin(), middle, distances_m.end());
-    if (*middle < least_m || *middle > most_m)
-        dataset.warnings.push_back(fmt::format(
-            "{}: cam_t_m2c puts half of the objects {} than {:.3g} mm from the camera, expected millimetres",
-            (split / "*" / "scene_gt.json").string(), *middle < least_m ? "no farther" : "farther",
-            *middle / files::m_per_mm));
-}
-
 Dataset read_bop(fs::path const& folder, DatasetOptions const& options) {
     fs::path const split = split_of(folder, options.split);
     fs::path const root = split == folder ? folder_of_split(folder) : folder;
@@ -229,12 +210,14 @@ Dataset read_bop(fs::path const& folder, DatasetOptions const& options) {
     MendedRotations mended;
     for (auto const& [scene_id, scene] : scenes_in(split))
         append(dataset.images, read_scene_folder(scene, scene_id, size, mended));
-    mended.tell((split / "*" / "scene_gt.json").string(), dataset.warnings);
-    tell_of_translations(dataset, split);
+    std::string const poses = (split / "*" / "scene_gt.json").string();
+    mended.tell(poses, dataset.warnings);
+    tell_of_translations(dataset, poses + ": cam_t_m2c", files::m_per_mm);
     fs::path const targets = targets_file(root);
-    if (!targets.empty() && name_of(split).rfind("test", 0) == 0)
+    if (!targets.empty() && name_of(split).rfind("test", 0) == 0) {
+        dataset.targets_file = targets;
         read_targets(targets, dataset);
-    else
+    } else
         dataset.targets = all_targets(dataset.images);
     return dataset;
 }
@@ -249,7 +232,9 @@ Dataset read_frames(fs::path const& folder, std::vector<fs::path> const& scenes,
     for (std::size_t i = 0; i < scenes.size(); ++i)
         append(dataset.images, read_frames_folder(scenes[i], static_cast<int>(i) + 1, dataset.models, mended));
     fs::path const told = scenes.size() == 1 ? scenes.front() : parent_of(scenes.front()) / "*";
-    mended.tell((told / "frames.json").string(), dataset.warnings);
+    std::string const poses = (told / "frames.json").string();
+    mended.tell(poses, dataset.warnings);
+    tell_of_translations(dataset, poses + ": t_scan", 1);
     dataset.targets = all_targets(dataset.images);
     return dataset;
 }
@@ -272,6 +257,8 @@ DatasetImage const* Dataset::find(ImageId id) const {
                                         [](DatasetImage const& image, ImageId wanted) { return image.id < wanted; });
     return found != images.end() && found->id == id ? &*found : nullptr;
 }
+
+std::string Dataset::place_of_targets() const { return (targets_file.empty() ? folder : targets_file).string(); }
 
 Dataset read_dataset(fs::path const& folder, DatasetOptions const& options) {
     if (!fs::is_directory(folder))
@@ -323,8 +310,10 @@ std::vector<Mesh> load_models(std::vector<ObjectModel const*> const& models, std
     for (std::size_t i = 0; i < meshes.size(); ++i)
         for (Eigen::Vector3d& vertex : meshes[i].vertices)
             vertex *= models[i]->unit_m;
-    for (std::size_t i = 0; i < meshes.size(); ++i)
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
         compare_with_info(meshes[i], *models[i], warnings);
+        tell_of_length(meshes[i], *models[i], warnings);
+    }
     return meshes;
 }
 
@@ -338,6 +327,19 @@ Mesh load_judged_model(ObjectModel const& model, std::vector<std::string>& warni
     return load_model(judged, warnings);
 }
 
+namespace {
+
+/// Where the mesh of an object would be, if meshes are called by number.
+std::string missing_mesh(Dataset const& dataset, int obj_id) {
+    if (dataset.models.empty() || dataset.models.begin()->second.name.rfind("obj_", 0) != 0)
+        return "";
+    fs::path const& mesh = dataset.models.begin()->second.mesh;
+    return fmt::format(", of which there is no {}",
+                       (mesh.parent_path() / fmt::format("obj_{:06}", obj_id)).string() + mesh.extension().string());
+}
+
+}  // namespace
+
 ObjectModel const& model_of(Dataset const& dataset, int obj_id, std::string const& place) {
     auto const found = dataset.models.find(obj_id);
     if (found != dataset.models.end())
@@ -345,8 +347,8 @@ ObjectModel const& model_of(Dataset const& dataset, int obj_id, std::string cons
     std::vector<int> known;
     for (auto const& [id, model] : dataset.models)
         known.push_back(id);
-    throw InputError(
-        fmt::format("{}: obj_id = {}, expected one of the dataset's: {}", place, obj_id, fmt::join(known, ", ")));
+    throw InputError(fmt::format("{}: obj_id = {}{}, expected one of the dataset's: {}", place, obj_id,
+                                 missing_mesh(dataset, obj_id), fmt::join(known, ", ")));
 }
 
 ImageBox projected_box(Mesh const& mesh, Pose const& pose, Camera const& camera) {

@@ -83,6 +83,10 @@ std::map<int, ObjectModel> models_by_name(std::set<fs::path> const& meshes, std:
     std::map<int, ObjectModel> models;
     for (fs::path const& mesh : meshes) {
         int const id = static_cast<int>(models.size()) + 1;
+        for (auto const& [other_id, other] : models)
+            if (other.name == mesh.stem().string())
+                io::fail(mesh, fmt::format("is a mesh of {}, as {} is, expected one mesh of a class", other.name,
+                                           other.mesh.filename().string()));
         models[id] = model_named(mesh, id, unit_m.value_or(1));
     }
     return models;

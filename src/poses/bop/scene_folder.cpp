@@ -170,8 +170,9 @@ DatasetImage read_frame(JsonNode const& node, fs::path const& folder, std::map<i
     image.has_size = true;
     image.depth_unit_m = node.at("depth_unit_m").number_above_zero();
     image.depth = folder / node.at("depth").text();
-    for (JsonNode const& object : node.at("objects").items())
-        image.objects.push_back(read_frame_object(object, models, mended));
+    if (auto const objects = node.find("objects"))
+        for (JsonNode const& object : objects->items())
+            image.objects.push_back(read_frame_object(object, models, mended));
     return image;
 }
 

@@ -194,6 +194,8 @@ Evaluation evaluate(bop::Dataset const& dataset, std::vector<JudgedMethod> metho
     evaluation.dataset = dataset.folder.string();
     evaluation.images = evaluator.images();
     evaluation.visible_from = options.visible_from;
+    evaluation.of_unknown_visibility = static_cast<std::size_t>(std::count_if(
+        instances.begin(), instances.end(), [](InstanceErrors const& instance) { return !instance.visible_share; }));
     evaluation.seed = options.seed;
     evaluation.replicates = options.replicates;
     evaluation.methods = std::move(methods);

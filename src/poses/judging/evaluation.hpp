@@ -45,8 +45,9 @@ struct AccuracyCurve {
 /// Methods side by side on one dataset.
 struct Evaluation {
     std::string dataset;
-    std::size_t images = 0;   ///< that hold an instance
-    double visible_from = 0;  ///< only instances of which at least this share is visible
+    std::size_t images = 0;                 ///< that hold an instance
+    double visible_from = 0;                ///< only instances of which at least this share is visible
+    std::size_t of_unknown_visibility = 0;  ///< instances that stay for want of knowing
     std::uint64_t seed = 0;
     std::size_t replicates = 0;
     std::vector<JudgedMethod> methods;

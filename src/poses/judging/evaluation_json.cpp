@@ -70,11 +70,17 @@ Json titles() {
 }  // namespace
 
 Json evaluation_json(Evaluation const& evaluation) {
-    return {{"format", "faster-evaluation"},           {"version", 1},
-            {"dataset", evaluation.dataset},           {"images", evaluation.images},
-            {"visible_from", evaluation.visible_from}, {"seed", evaluation.seed},
-            {"replicates", evaluation.replicates},     {"scores", titles()},
-            {"methods", array_of(evaluation.methods)}, {"rows", array_of(evaluation.rows)},
+    return {{"format", "faster-evaluation"},
+            {"version", 1},
+            {"dataset", evaluation.dataset},
+            {"images", evaluation.images},
+            {"visible_from", evaluation.visible_from},
+            {"of_unknown_visibility", evaluation.of_unknown_visibility},
+            {"seed", evaluation.seed},
+            {"replicates", evaluation.replicates},
+            {"scores", titles()},
+            {"methods", array_of(evaluation.methods)},
+            {"rows", array_of(evaluation.rows)},
             {"curves", array_of(evaluation.curves)}};
 }
 

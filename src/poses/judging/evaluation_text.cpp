@@ -63,8 +63,12 @@ template <class Line> std::string by_object(Evaluation const& evaluation, std::s
 }
 
 std::string filter_words(Evaluation const& evaluation) {
-    return evaluation.visible_from > 0 ? fmt::format(", each at least {:g} % visible", 100 * evaluation.visible_from)
-                                       : "";
+    if (evaluation.visible_from <= 0)
+        return "";
+    std::string const unknown = evaluation.of_unknown_visibility > 0
+                                    ? fmt::format(" ({} of unknown visibility)", evaluation.of_unknown_visibility)
+                                    : "";
+    return fmt::format(", each at least {:g} % visible{}", 100 * evaluation.visible_from, unknown);
 }
 
 std::string notes(Evaluation const& evaluation) {

@@ -11,6 +11,7 @@
 #include "faster/dataflow_names.hpp"
 #include "poses/bop/read_dataset.hpp"
 #include "poses/judging/counted_poses.hpp"
+#include "poses/judging/depth_images.hpp"
 #include "poses/judging/matching.hpp"
 #include "poses/judging/mesh_symmetries.hpp"
 #include "poses/judging/model_symmetries.hpp"
@@ -46,7 +47,7 @@ JudgedModel judged_model(bop::ObjectModel const& model, Mesh&& mesh) {
 Models load_models(bop::Dataset const& dataset, std::size_t jobs, std::vector<std::string>& warnings) {
     Models models;
     for (bop::Target const& target : dataset.targets) {
-        bop::model_of(dataset, target.obj_id, dataset.folder.string());
+        bop::model_of(dataset, target.obj_id, dataset.place_of_targets());
         models[target.obj_id];
     }
     std::vector<Models::value_type*> entries;
@@ -209,11 +210,17 @@ Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> cons
     std::vector<std::vector<EstimateErrors>> of_estimates(dataset.targets.size());
     std::vector<std::size_t> used(dataset.targets.size(), 0);
     std::vector<TargetRange> const ranges = by_image(dataset.targets);
+    std::vector<bop::DatasetImage const*> images;
+    images.reserve(ranges.size());
     for (TargetRange const& range : ranges)
-        bop::sound(*dataset.find(dataset.targets[range.begin].image));
+        images.push_back(&bop::sound(*dataset.find(dataset.targets[range.begin].image)));
+    DepthImages depths(images);
+    depths.tell_of_missing(judgement.warnings);
     CountedProgress done(dataset.targets.size(), progress);
     on_threads(ranges.size(), options.jobs, [&](std::size_t range) {
-        JudgedImage const image(*dataset.find(dataset.targets[ranges[range].begin].image));
+        JudgedImage const image(*images[range]);
+        if (image.seen)
+            depths.set_size(range, image.camera);
         for (std::size_t i = ranges[range].begin; i < ranges[range].end; ++i) {
             bop::Target const& target = dataset.targets[i];
             Estimates const counted = sorted.best(target);
@@ -225,6 +232,7 @@ Judgement judge(bop::Dataset const& dataset, std::vector<bop::PoseEstimate> cons
             done.one_more();
         }
     });
+    depths.tell_of_sizes(judgement.warnings);
     judgement.left_out = estimates.size() - std::accumulate(used.begin(), used.end(), std::size_t{0});
     for (auto const& of_target : errors)
         judgement.instances.insert(judgement.instances.end(), of_target.begin(), of_target.end());

@@ -29,7 +29,8 @@ double nearest_distance(Tree const& tree, Eigen::Vector3d const& point) {
     nanoflann::KNNResultSet<double> nearest(1);
     nearest.init(&index, &squared_distance);
     tree.findNeighbors(nearest, point.data(), nanoflann::SearchParams());
-    return std::sqrt(squared_distance);
+    bool const is_beyond_doubles = squared_distance == std::numeric_limits<double>::max();  // nothing is found there
+    return is_beyond_doubles ? std::numeric_limits<double>::infinity() : std::sqrt(squared_distance);
 }
 
 Points moved(Points const& points, Pose const& pose) {

@@ -10,10 +10,17 @@ function line_colour(i) {
   return line_colours[i % line_colours.length];
 }
 
+function visibility_words() {
+  if (data.visible_from <= 0)
+    return "";
+  const unknown = data.of_unknown_visibility > 0 ? ` (${data.of_unknown_visibility} of unknown visibility)` : "";
+  return `, each at least ${100 * data.visible_from} % visible${unknown}`;
+}
+
 function show_headline() {
   const all = data.rows.find((row) => row.obj_id === 0);
   by_id("machine").textContent = `${data.dataset}: ${count_of(all.instances, "instance")} of ${count_of(objects.length - 1, "object")} in ` +
-    `${count_of(data.images, "image")}${data.visible_from > 0 ? `, each at least ${100 * data.visible_from} % visible` : ""}; ${count_of(data.replicates, "bootstrap")}, seed ${data.seed}`;
+    `${count_of(data.images, "image")}${visibility_words()}; ${count_of(data.replicates, "bootstrap")}, seed ${data.seed}`;
 }
 
 /// A step up at each error.

@@ -15,7 +15,7 @@ std::string FasterWorkload::table() const {
 std::unique_ptr<Workload> FasterSimulation::load_workload(LoadedConfig& loaded) const {
     auto workload = std::make_unique<FasterWorkload>();
     workload->stimulus = load_stimulus(loaded);
-    workload->notes = stimulus_warnings(workload->stimulus, workload_of(loaded.config));
+    workload->notes = stimulus_warnings(workload->stimulus, loaded);
     return workload;
 }
 

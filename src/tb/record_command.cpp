@@ -51,7 +51,7 @@ int record(RecordRequest const& request) {
     paths.reads(loaded.config);
     paths.writes("--out", request.out, files::trace_kind());
     Stimulus const posed = load_stimulus(loaded);
-    say_warnings(stimulus_warnings(posed, workload_of(loaded.config)));
+    say_warnings(stimulus_warnings(posed, loaded));
     announce(size_of(posed), request.force);
     Stimulus const stimulus = with_explicit_triangles(posed);
     files::write_trace(stimulus, request.out);

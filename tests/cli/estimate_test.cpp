@@ -247,8 +247,11 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
         REQUIRE(found["boxes"].size() == 2);
         CHECK(found["boxes"][0]["confidence"] == 0.75);
         CHECK(found["boxes"][0]["height"] == 30);
-        require_done(estimate({"--object", "1", "--detections", boxes, "--out", "out"}));
-        CHECK(workspace.json("out/estimate.json")["boxes"].empty());  // nobody detected it
+        CommandResult const undetected = estimate({"--object", "1", "--detections", boxes, "--out", "out"});
+        require_done_with_warnings(undetected);
+        CHECK_THAT(undetected.err, Contains("boxes.json: has no box of object 1 in image 0 of scene 1, which is looked "
+                                            "for in the whole image"));
+        CHECK(workspace.json("out/estimate.json")["boxes"].empty());
         dataset.replace("boxes.json", "[9, 9, 9, 9]", "[90, 9, 9, 9]");
         check_bad_input(estimate({"--object", "5", "--detections", boxes}),
                         {"boxes.json", "overlaps the image of 64 x 48"});
@@ -259,7 +262,9 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
         dataset.replace("test/000001/scene_gt_info.json", R"("visib_fract": 1)", R"("visib_fract": 0.0)");
         dataset.replace("test/000002/scene_gt.json", R"("cam_R_m2c": [)", R"("cam_R_m2c": [9)");
         dataset.replace("test_targets_bop19.json", R"("scene_id": 2)", R"("scene_id": 7)");
-        require_done(estimate({"--object", "1", "--out", "out"}));
+        CommandResult const hidden = estimate({"--object", "1", "--out", "out"});
+        require_done_with_warnings(hidden);
+        CHECK_THAT(hidden.err, Contains(dataset.path().string() + ": has no box of object 1 in image 0 of scene 1"));
         CHECK(workspace.json("out/estimate.json")["boxes"].empty());
         check_bad_input(workspace.estimate({"--untimed", "--bop", dataset.path().string(), "--scene", "2", "--image",
                                             "0", "--object", "1"}),
@@ -270,7 +275,7 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
                         R"("bbox_obj": [10, 12, 20, 22], "bbox_visib": [11, 13, 9, 8])",
                         R"("bbox_obj": [-1, -1, -1, -1], "bbox_visib": [-1, -1, -1, -1])");
         dataset.replace("test/000001/scene_gt_info.json", R"("visib_fract": 1)", R"("of_others": 1)");
-        require_done(estimate({"--object", "1", "--out", "out"}));
+        require_done_with_warnings(estimate({"--object", "1", "--out", "out"}));
         CHECK(workspace.json("out/estimate.json")["boxes"].empty());
     }
     SECTION("a split of several") {
@@ -316,8 +321,21 @@ TEST_CASE("An object of a dataset is looked for in its boxes, and its pose is a 
         check_bad_input(estimate({"--object", "1", "--detections", (dataset / "boxes.json").string()}),
                         {"boxes.json", ".score = 3, expected a confidence from 0 to 1"});
     }
+    SECTION("keys of the command line that the dataset tells itself") {
+        for (std::string const setting : {"estimator.box.left=3", "workload.camera.fx=70", "workload.object=mug",
+                                          "workload.pose.rotation_deg=[0,0,1]", "workload.scene.depth_unit_m=0.001",
+                                          "workload.mesh_files.scale=0.001"})
+            check_bad_input(estimate({"--object", "1", "--set", setting}),
+                            {"--set " + setting + ": expected none: a dataset tells it itself"});
+        require_done(estimate(
+            {"--object", "1", "--set", "workload.scene.downscale=2", "--set", "estimator.box.confidence=0.5"}));
+        check_bad_input(workspace.estimate({"--bop", dataset.path().string(), "--all", "--out", "all", "--set",
+                                            "workload.object=mug"}),
+                        {"workload.object=mug: expected none"});
+    }
     SECTION("what the dataset does not have") {
-        check_bad_input(estimate({"--object", "2"}), {"--object", "1, 5"});
+        check_bad_input(estimate({"--object", "2"}),
+                        {"--object: obj_id = 2, of which there is no ", "models/obj_000002.ply, expected", "1, 5"});
         check_bad_input(estimate({"--object", "1"}, "7"), {"--image 7", "no such image", "such as --scene "});
     }
 }

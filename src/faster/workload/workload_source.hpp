@@ -1,6 +1,8 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "dataflow/run/config/load_config.hpp"
-#include "faster/config/workload_config.hpp"
 #include "faster/data/stimulus.hpp"
 #include "faster/dataflow_names.hpp"
 
@@ -10,7 +12,10 @@ namespace faster {
 /// bits replace those of `loaded`.
 Stimulus load_stimulus(LoadedConfig& loaded);
 
+/// A recorded depth image is seen through the default camera, as no key tells another; empty if one does.
+std::string unset_camera_warning(LoadedConfig const& loaded);
+
 /// What in it looks like a mistake of the workload, a line each.
-std::vector<std::string> stimulus_warnings(Stimulus const& stimulus, WorkloadConfig const& config);
+std::vector<std::string> stimulus_warnings(Stimulus const& stimulus, LoadedConfig const& loaded);
 
 }  // namespace faster

@@ -34,6 +34,8 @@ class TargetBoxes {
     void add_detected(std::string const& file) {
         for (bop::Detection const& detection : bop::read_detections(file, warnings_))
             detected_[{detection.image, detection.obj_id}].push_back(&kept_.emplace_back(detection));
+        if (data_.dataset.targets.empty())
+            add_detected_targets();
         for (bop::Target const& target : data_.dataset.targets)
             for (bop::Detection const* const detection : detected_[{target.image, target.obj_id}])
                 add(target, bop::sound(*detection));
@@ -65,9 +67,26 @@ class TargetBoxes {
         }
     }
 
+    /// A mesh that cannot be read is the business of the estimates that need it.
+    void look_at_models() {
+        for (bop::Target const& target : data_.dataset.targets) {
+            try {
+                mesh(target.obj_id);
+            } catch (InputError const&) {
+            }
+        }
+    }
+
     std::vector<std::string> const& warnings() const { return warnings_; }
 
   private:
+    /// Where nobody has annotated anything, what a detector saw is to be found: once, as nobody says how often.
+    void add_detected_targets() {
+        for (auto const& [seen, boxes] : detected_)
+            if (data_.dataset.find(seen.first) != nullptr)
+                data_.dataset.targets.push_back({seen.first, seen.second, 1});
+    }
+
     void add(bop::Target const& target, bop::Detection const& detection) {
         bop::ImageBox const& box = detection.box;
         if (overlaps(box, camera(target.image))) {
@@ -91,7 +110,7 @@ class TargetBoxes {
         auto const [found, is_new] = meshes_.try_emplace(obj_id);
         if (is_new)
             found->second =
-                bop::load_model(bop::model_of(data_.dataset, obj_id, data_.dataset.folder.string()), warnings_);
+                bop::load_model(bop::model_of(data_.dataset, obj_id, data_.dataset.place_of_targets()), warnings_);
         return found->second;
     }
 
@@ -125,6 +144,7 @@ SettingData prepared_data(EstimateAllRequest const& request, LoadedConfig const&
         boxes.add_annotated();
     else
         boxes.add_detected(request.bop.detections);
+    boxes.look_at_models();
     boxes.look_at_depths();
     say_warnings(data.dataset.warnings);
     say_warnings(data.dataset.warnings_of_targets);
@@ -136,14 +156,15 @@ SettingData prepared_data(EstimateAllRequest const& request, LoadedConfig const&
 
 int estimate_all(EstimateAllRequest const& request, LoadedConfig const& loaded) {
     require_estimable(loaded);
+    refuse_keys_of_datasets(loaded);
     std::filesystem::path const out = request.out;
     std::size_t const jobs = jobs_or_host_cores(request.jobs);
     std::vector<SettingData> settings{prepared_data(request, loaded)};
     std::size_t const targets = settings[0].dataset.targets.size(), undetected = leave_out_undetected(settings[0]);
     if (targets == 0)
         throw InputError(request.bop.folder +
-                         ": has no targets, expected some: annotated objects in scene_gt.json, or "
-                         "rows of test_targets_bop19.json");
+                         ": has no targets, expected some: annotated objects (scene_gt.json, frames.json), rows of "
+                         "test_targets_bop19.json, or --detections in its images");
     if (targets == undetected)
         throw InputError(fmt::format("{}: has a box for none of the {} targets of {}, expected some",
                                      request.bop.detections.empty() ? request.bop.folder : request.bop.detections,

@@ -125,8 +125,8 @@ Subcommand estimate_command() {
             command.add_option("--split", request->bop.split, "Folder of the dataset's scenes; by default test")
                 ->type_name("NAME")
                 ->needs("--bop");
-            command.add_option("--scene", request->bop.scene_id, "Of the dataset")->type_name("N")->needs("--bop");
-            command.add_option("--image", request->bop.im_id, "Of the scene")->type_name("N")->needs("--bop");
+            command.add_option("--scene", request->bop.scene_id, "Of the dataset (0)")->type_name("N")->needs("--bop");
+            command.add_option("--image", request->bop.im_id, "Of the scene (0)")->type_name("N")->needs("--bop");
             command.add_option("--object", request->bop.obj_id, "obj_id of the object")->type_name("N")->needs("--bop");
             command
                 .add_option("--detections", request->bop.detections,
@@ -136,7 +136,9 @@ Subcommand estimate_command() {
             command.add_flag("--all", request->all,
                              "Every target of the dataset, without cycles: results.csv in the folder of --out, which "
                              "goes on where it was");
-            command.add_option("--models-in", request->bop.models_in, "Unit of the dataset's meshes, m or mm (mm)")
+            command
+                .add_option("--models-in", request->bop.models_in,
+                            "Unit of the dataset's meshes, m or mm (mm, of frames m)")
                 ->check(CLI::IsMember({"m", "mm"}))
                 ->type_name("UNIT")
                 ->needs("--bop");

@@ -17,6 +17,7 @@
 #include "faster/workload/files/png_image.hpp"
 #include "faster/workload/files/trace.hpp"
 #include "faster/workload/input_warnings.hpp"
+#include "faster/workload/workload_source.hpp"
 #include "modules/vertex_transform/explicit_triangles.hpp"
 #include "poses/commands/estimate_pictures.hpp"
 #include "poses/commands/estimate_scorers.hpp"
@@ -68,8 +69,27 @@ EstimateRun::EstimateRun(EstimateRequest const& request, LoadedConfig const& loa
 std::vector<std::string> EstimateRun::warnings() const {
     if (!request_.bop.folder.empty())
         return {};
-    return workload::input_warnings(workload_of(loaded_.config), scene_.observed.posed.mesh,
-                                    {scene_.truths.front().pose}, scene_.observed.fraction);
+    Mesh mesh = scene_.observed.posed.mesh;  // in its own frame, as the configured pose is
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+        vertex -= scene_.own_origin;
+    std::vector<Pose> poses;
+    for (estimation::TruePose const& truth : scene_.truths)
+        poses.push_back(scene_.own(truth.pose));
+    WorkloadConfig const& workload = workload_of(loaded_.config);
+    std::vector<std::string> warnings = workload::input_warnings(workload, mesh, poses, scene_.observed.fraction);
+    for (std::string const& unset : {unset_camera_warning(loaded_), unset_place_warning()})
+        if (!unset.empty())
+            warnings.push_back(unset);
+    return warnings;
+}
+
+std::string EstimateRun::unset_place_warning() const {
+    if (!scene_.truths.empty() || !scene_.boxes.empty())
+        return {};
+    return fmt::format(
+        "workload.scene.depth_image = {}: neither estimator.box nor workload.pose is set, so samples begin "
+        "all over the image; expected one of them",
+        workload_of(loaded_.config).scene.depth_image);
 }
 
 WorkSize EstimateRun::size() const {

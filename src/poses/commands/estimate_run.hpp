@@ -51,6 +51,8 @@ class EstimateRun {
     void write(std::filesystem::path const& folder, EstimateReport const& report) const;
 
   private:
+    /// Empty if something tells where the object is.
+    std::string unset_place_warning() const;
     bool is_timed() const;
     /// One host core need not score without time first: several simulate iterations of which the scores are known.
     bool simulates_at_once() const { return is_timed() && jobs_ == 1 && !request_.records(); }

@@ -17,6 +17,21 @@
 
 namespace faster {
 
+namespace {
+
+/// Files of a configuration serve datasets and scenes of one's own, so only who asks on the command line is told.
+bool is_told_by_datasets(std::string const& key) {
+    if (key == "workload.scene.downscale" || key == "estimator.box.confidence")
+        return false;
+    for (char const* const section : {"estimator.box.", "workload.object", "workload.pose.", "workload.camera.",
+                                      "workload.scene.", "workload.mesh_files."})
+        if (key.rfind(section, 0) == 0)
+            return true;
+    return false;
+}
+
+}  // namespace
+
 void require_estimable(LoadedConfig const& loaded) {
     WorkloadConfig const& workload = workload_of(loaded.config);
     if (!workload.trace.empty())
@@ -28,12 +43,28 @@ void require_estimable(LoadedConfig const& loaded) {
         throw InputError(complaint(loaded, "workload.samples.count", "at least 1: estimate scores samples"));
 }
 
+void refuse_keys_of_datasets(LoadedConfig const& loaded) {
+    for (auto const& [key, origin] : loaded.origins.all())
+        if (origin.source == KeySource::command_line && is_told_by_datasets(key))
+            throw InputError(complaint(loaded, key, "none: a dataset tells it itself"));
+}
+
 namespace {
 
-/// The configured box, or the one around the object. An object that is not in the image has none.
+/// A rendered scene has the object at its pose, configured or not; in a recorded depth image it is wherever it was.
+bool is_pose_known(LoadedConfig const& loaded) {
+    return workload_of(loaded.config).scene.depth_image.empty() ||
+           loaded.origins.is_explicit("workload.pose.translation_m") ||
+           loaded.origins.is_explicit("workload.pose.rotation_deg");
+}
+
+/// The configured box, or the one around the object. An object that is not in the image, or nobody knows where, has
+/// none.
 std::vector<DetectionConfig> boxes_of(LoadedConfig const& loaded, estimation::Scene const& scene) {
     DetectionConfig box = estimator_of(loaded.config).box;
     if (box.width == 0) {
+        if (scene.truths.empty())
+            return {};
         double const confidence = box.confidence;
         box = estimation::box_around(scene.observed.posed.mesh.vertices, scene.truths.front().pose,
                                      scene.observed.posed.camera);
@@ -60,7 +91,8 @@ estimation::Scene configured_scene(LoadedConfig const& loaded) {
     estimation::Scene scene;
     scene.observed = workload::build_observation(workload, accelerator.window, accelerator.fraction_bits);
     estimation::centre_mesh(scene);
-    scene.truths = {{scene.centred(workload::configured_pose(workload.target)), std::nullopt}};
+    if (is_pose_known(loaded))
+        scene.truths = {{scene.centred(workload::configured_pose(workload.target)), std::nullopt}};
     scene.boxes = boxes_of(loaded, scene);
     return scene;
 }
@@ -171,7 +203,7 @@ bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Ca
 estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::Target const& target,
                                 std::vector<bop::Detection> const& boxes) {
     std::vector<std::string> told_before;
-    bop::ObjectModel const& model = bop::model_of(dataset, target.obj_id, dataset.folder.string());
+    bop::ObjectModel const& model = bop::model_of(dataset, target.obj_id, dataset.place_of_targets());
     Mesh const mesh = bop::load_model(model, told_before);
     estimation::Scene scene = observed_scene(loaded, mesh, bop::load_observation(*dataset.find(target.image)));
     add_judged_points(scene, model, mesh);
@@ -182,6 +214,7 @@ estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& 
 
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request) {
     require_estimable(loaded);
+    refuse_keys_of_datasets(loaded);
     bop::Dataset const dataset = dataset_of(request);
     std::vector<std::string> warnings = dataset.warnings;
     bop::DatasetImage const& image = image_of(dataset, request);
@@ -192,6 +225,11 @@ estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& reques
     poses::Truths const truths = poses::most_visible(dataset, target_of(dataset, image.id, request.object()));
     std::vector<bop::Detection> const boxes =
         boxes_in(image, truths, mesh, seen.camera, request, estimator_of(loaded.config).box.confidence, warnings);
+    if (boxes.empty())
+        warnings.push_back(
+            fmt::format("{}: has no box of object {} in image {} of scene {}, which is looked for in the whole image",
+                        request.detections.empty() ? request.folder : request.detections, request.object(),
+                        image.id.im_id, image.id.scene_id));
     say_warnings(warnings);
     for (bop::Detection const& detection : boxes)
         require_overlap(detection.box, seen.camera, request);

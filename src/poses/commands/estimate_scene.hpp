@@ -27,6 +27,10 @@ struct BopRequest {
 /// Throws InputError for what no estimate goes by: a trace, which has no mesh to move, a table of poses, no samples.
 void require_estimable(LoadedConfig const& loaded);
 
+/// Throws InputError for a key of the command line, or of an experiment's methods, that a dataset has instead: what is
+/// looked for and where, the camera, the scene, the meshes.
+void refuse_keys_of_datasets(LoadedConfig const& loaded);
+
 /// The scene of an image: the truths are the object's most visible annotated poses in it, as many as the targets ask
 /// for. Boxes: all detections of the object in the image or, without detections, the truths' that are not hidden, with
 /// the confidence of `estimator.box.confidence`; an object that nobody detected, or that is hidden, has none. Says what
@@ -50,8 +54,9 @@ bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Ca
 /// Whether some pixel of a camera's image lies in a box.
 bool overlaps(bop::ImageBox const& box, Camera const& camera);
 
-/// The scene of a configuration: its workload without samples, whose pose is the truth, and the box of
-/// `estimator.box.*`. Throws InputError for a configuration that no estimate goes by, and a box outside the image.
+/// The scene of a configuration: its workload without samples, whose pose is the truth (of a depth image only if it is
+/// configured), and the box of `estimator.box.*`. Throws InputError for a configuration that no estimate goes by, and a
+/// box outside the image.
 estimation::Scene configured_scene(LoadedConfig const& loaded);
 
 }  // namespace faster

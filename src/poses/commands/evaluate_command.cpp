@@ -205,7 +205,7 @@ Subcommand evaluate_command() {
                              .add_option("--models", request->models,
                                          "Look for meshes and models_info.json in this folder first; may be repeated")
                              ->type_name("DIR"));
-                command.add_option("--models-in", request->models_in, "Unit of the meshes, m or mm (mm)")
+                command.add_option("--models-in", request->models_in, "Unit of the meshes, m or mm (mm, of frames m)")
                     ->check(CLI::IsMember({"m", "mm"}))
                     ->type_name("UNIT");
                 command.add_option("--split", request->split, "Folder of the dataset's scenes; by default test")

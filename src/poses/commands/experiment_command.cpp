@@ -62,6 +62,7 @@ std::vector<MethodData> methods_of(experiments::Experiment const& experiment) {
         try {
             methods.push_back({method.name, layered_config(files, settings)});
             require_estimable(methods.back().loaded);
+            refuse_keys_of_datasets(methods.back().loaded);
         } catch (InputError const& error) {
             throw InputError(fmt::format("{}: methods.{}: {}", experiment.file, method.name, error.what()));
         }

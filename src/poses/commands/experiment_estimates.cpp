@@ -57,7 +57,7 @@ std::string pose_identity(Pose const& pose) {
 std::string target_text(SettingData const& setting, bop::Target const& target, std::vector<bop::Detection> const& boxes,
                         Contents& contents) {
     bop::DatasetImage const& image = *setting.dataset.find(target.image);
-    bop::ObjectModel const& model = bop::model_of(setting.dataset, target.obj_id, setting.dataset.folder.string());
+    bop::ObjectModel const& model = bop::model_of(setting.dataset, target.obj_id, setting.dataset.place_of_targets());
     for (std::filesystem::path const& mesh : {model.mesh, model.judged_mesh})
         if (!mesh.empty())
             files::require_mesh_file(mesh);

@@ -277,7 +277,7 @@ int grip_baseline(GripRequest const& request) {
     std::unique_ptr<io::AtomicFolder> const folder =
         request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, grip_folder);
     Stimulus const stimulus = load_stimulus(loaded);
-    say_warnings(stimulus_warnings(stimulus, workload_of(loaded.config)));
+    say_warnings(stimulus_warnings(stimulus, loaded));
     announce(size_of(stimulus, jobs_or_host_cores(request.jobs)), request.force);
     GripComparison const comparison = compare_with_flow(request, loaded.config, stimulus);
     if (folder != nullptr) {

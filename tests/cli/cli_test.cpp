@@ -388,7 +388,7 @@ TEST_CASE("A bad depth image is refused in one line") {
     write_png(workspace / "depth.png", Image<std::uint16_t>(240, 320, 700));
     check_run_refused(workspace, own_depth, {"depth.png", "640", "480"});
     write_png(workspace / "depth.png", Image<std::uint16_t>(480, 640, 700));
-    require_done(workspace.run(small + own_depth));
+    require_done(workspace.run(small + own_depth + set("workload.camera.fx=570")));
 }
 
 TEST_CASE("A bad trace is refused in one line") {

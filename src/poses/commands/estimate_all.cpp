@@ -156,7 +156,7 @@ SettingData prepared_data(EstimateAllRequest const& request, LoadedConfig const&
 
 int estimate_all(EstimateAllRequest const& request, LoadedConfig const& loaded) {
     require_estimable(loaded);
-    refuse_keys_of_datasets(loaded);
+    say_warnings(idle_keys_of_datasets(loaded));
     std::filesystem::path const out = request.out;
     std::size_t const jobs = jobs_or_host_cores(request.jobs);
     std::vector<SettingData> settings{prepared_data(request, loaded)};

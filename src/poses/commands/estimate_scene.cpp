@@ -43,10 +43,12 @@ void require_estimable(LoadedConfig const& loaded) {
         throw InputError(complaint(loaded, "workload.samples.count", "at least 1: estimate scores samples"));
 }
 
-void refuse_keys_of_datasets(LoadedConfig const& loaded) {
+std::vector<std::string> idle_keys_of_datasets(LoadedConfig const& loaded) {
+    std::vector<std::string> warnings;
     for (auto const& [key, origin] : loaded.origins.all())
         if (origin.source == KeySource::command_line && is_told_by_datasets(key))
-            throw InputError(complaint(loaded, key, "none: a dataset tells it itself"));
+            warnings.push_back(origin.place + ": has no effect, as a dataset tells it itself");
+    return warnings;
 }
 
 namespace {
@@ -214,7 +216,7 @@ estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& 
 
 estimation::Scene bop_scene(LoadedConfig const& loaded, BopRequest const& request) {
     require_estimable(loaded);
-    refuse_keys_of_datasets(loaded);
+    say_warnings(idle_keys_of_datasets(loaded));
     bop::Dataset const dataset = dataset_of(request);
     std::vector<std::string> warnings = dataset.warnings;
     bop::DatasetImage const& image = image_of(dataset, request);

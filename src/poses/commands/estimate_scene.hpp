@@ -27,9 +27,9 @@ struct BopRequest {
 /// Throws InputError for what no estimate goes by: a trace, which has no mesh to move, a table of poses, no samples.
 void require_estimable(LoadedConfig const& loaded);
 
-/// Throws InputError for a key of the command line, or of an experiment's methods, that a dataset has instead: what is
-/// looked for and where, the camera, the scene, the meshes.
-void refuse_keys_of_datasets(LoadedConfig const& loaded);
+/// A line for each key of the command line, or of an experiment's methods, that a dataset has instead: what is looked
+/// for and where, the camera, the scene, the meshes.
+std::vector<std::string> idle_keys_of_datasets(LoadedConfig const& loaded);
 
 /// The scene of an image: the truths are the object's most visible annotated poses in it, as many as the targets ask
 /// for. Boxes: all detections of the object in the image or, without detections, the truths' that are not hidden, with

@@ -62,7 +62,10 @@ std::vector<MethodData> methods_of(experiments::Experiment const& experiment) {
         try {
             methods.push_back({method.name, layered_config(files, settings)});
             require_estimable(methods.back().loaded);
-            refuse_keys_of_datasets(methods.back().loaded);
+            std::vector<std::string> warnings = idle_keys_of_datasets(methods.back().loaded);
+            for (std::string& warning : warnings)
+                warning = fmt::format("{}: methods.{}: {}", experiment.file, method.name, warning);
+            say_warnings(warnings);
         } catch (InputError const& error) {
             throw InputError(fmt::format("{}: methods.{}: {}", experiment.file, method.name, error.what()));
         }

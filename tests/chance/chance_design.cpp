@@ -428,6 +428,41 @@ Design retimed(Design const& design, std::uint64_t seed) {
 }
 
 namespace {
+/// A loop of its own, somewhere among what a process does.
+void add_stores(Process& process, Dice& dice) {
+    Loop loop = process.loops.front();
+    loop.name = "stores";
+    loop.is_pipelined = true;
+    loop.ii = dice.between(1, 3);
+    loop.recurrence = 1;
+    loop.entry = loop.exit = loop.reads = loop.writes = 0;
+    Segment segment;
+    segment.kind = Segment::Kind::loop;
+    segment.loop = process.loops.size();
+    segment.iterations.resize(dice.between(1000, 2500));
+    segment.at_memory.assign(segment.iterations.size(), true);
+    process.port = {true, true, process.loops.size(), 64, 0};
+    process.loops.push_back(loop);
+    auto const at = static_cast<std::ptrdiff_t>(dice.below(process.program.size() + 1));
+    process.program.insert(process.program.begin() + at, segment);
+}
+}  // namespace
+
+Design storing_ahead(Design const& design, std::uint64_t seed) {
+    Dice dice(seed);
+    Design other = design;
+    Maker::set_memory(other.memory, dice);
+    other.memory.dram_gb_per_s = 0.5;
+    for (Process& process : other.processes) {
+        bool const may_rewind =
+            std::any_of(process.loops.begin(), process.loops.end(), [](Loop const& loop) { return loop.can_rewind; });
+        if (!process.port.is_there && !process.loops.empty() && !may_rewind && !dice.one_in(4))
+            add_stores(process, dice);
+    }
+    return other;
+}
+
+namespace {
 CoreDescription::Pace pace_of(Design const& design) {
     CoreDescription::Pace pace;
     if (design.anchors.empty())

@@ -114,6 +114,8 @@ struct Design {
 
 /// A seed always gives one design.
 Design random_design(std::uint64_t seed);
+/// With processes that store many tokens in a row, faster than the memory takes them.
+Design storing_ahead(Design const& design, std::uint64_t seed);
 /// What a design is at other timing keys.
 Design retimed(Design const& design, std::uint64_t seed);
 

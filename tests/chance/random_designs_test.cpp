@@ -70,8 +70,7 @@ void check_sizing(Outcome const& outcome, Design const& design, Count& count) {
 }
 
 /// Both engines, recorded or not, retimings as it is, from a file and as another design, against the twin.
-void check_seed(std::uint64_t seed, Count& count) {
-    Design const design = random_design(seed);
+void check_design(Design const& design, std::uint64_t seed, Count& count) {
     Design const other = retimed(design, seed);
     CAPTURE(seed, text_of(design));
     Figures const twin = simulated(design), other_twin = simulated(other);
@@ -99,6 +98,8 @@ void check_seed(std::uint64_t seed, Count& count) {
         }
 }
 
+void check_seed(std::uint64_t seed, Count& count) { check_design(random_design(seed), seed, count); }
+
 /// What the environment asks for: CHANCE_SEED, the first, and CHANCE_DESIGNS, how many.
 std::uint64_t asked(char const* name, std::uint64_t otherwise) {
     char const* const text = std::getenv(name);
@@ -114,6 +115,17 @@ TEST_CASE("random designs that once did not agree do") {
           770019UL, 770160UL, 770421UL, 770453UL, 90003708UL, 90004670UL, 1795732945919UL, 1795732948802UL, 930044UL,
           128002782UL})
         check_seed(seed, count);
+}
+
+TEST_CASE("nobody waits for stores, however far they run ahead of the memory") {
+    Count count;
+    std::uint64_t const first = asked("CHANCE_SEED", 1), designs = asked("CHANCE_DESIGNS", 150) / 5;
+    for (std::uint64_t seed = first; count.designs < designs; ++seed)
+        check_design(storing_ahead(random_design(seed), seed), seed, count);
+    WARN(designs << " designs that store ahead from seed " << first << " on: " << count.stuck << " get stuck, "
+                 << count.with_attempts << " make attempts, " << count.refused << " retimings of which are refused");
+    if (designs >= 30)
+        CHECK(count.with_attempts > 0);
 }
 
 TEST_CASE("random designs do the same in both engines, retimed, and in a simulation cycle by cycle") {

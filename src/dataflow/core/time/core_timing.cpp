@@ -127,11 +127,6 @@ bool CoreTiming::keep_more() {
             fifo.keep_more();
             keeps_more = true;
         }
-    for (MemoryStream& stream : streams_)
-        if (stream.is_write() && stream.fifo().known_writes() == 0) {
-            stream.fifo().keep_more();
-            keeps_more = true;
-        }
     return keeps_more;
 }
 

@@ -88,9 +88,17 @@ void ProcessTiming::take_fed(std::vector<Cycles> const& cycles) {
     stream_->fifo().note(false, cycles.size());
 }
 
+/// What goes to memory waits for nobody: it only needs storage for its cycles, which wait_for() may have made.
+void ProcessTiming::go_on_writing() {
+    do {
+        has_more_storage_ = false;
+        go_on();
+    } while (has_more_storage_);
+}
+
 ProcessTiming::Status ProcessTiming::front() {
     stops_ = true;
-    go_on();
+    go_on_writing();
     stops_ = false;
     return log_.exhausted() ? Status::exhausted : status_;
 }
@@ -136,15 +144,20 @@ ProcessMask ProcessTiming::advance(bool pause) {
     woken_ = 0;
     pauses_ = pause;
     stamps_before_ = figures_.stamps.size();
-    go_on();
+    go_on_writing();
     pauses_ = false;
     return woken_;
 }
 
 void ProcessTiming::wait_for(ProcessPort const& port) {
+    if (port.fifo->is_memory() && port.writes) {
+        port.fifo->keep_more();
+        has_more_storage_ = true;
+        return;
+    }
     status_ = Status::blocked;
     blocking_port_ = port.number;
-    if (port.fifo->is_memory() && !port.writes)
+    if (port.fifo->is_memory())
         stream_->comes_to_step(state_.time);
 }
 

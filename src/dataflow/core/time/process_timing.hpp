@@ -278,6 +278,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
 
     unsigned add_port(FifoTiming& fifo, bool writes);
     Rules& rules() { return *this; }
+    void go_on_writing();
 
     // What ProcessRules ask for.
     bool goes_by_steps() const { return by_steps_ || stops_; }
@@ -356,6 +357,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     bool stops_ = false;    ///< in front of each step,
     bool granted_ = false;  ///< but for the next one
     bool pauses_ = false;   ///< behind the first stamp
+    bool has_more_storage_ = false;
     std::size_t stamps_before_ = 0;
     ProcessMask woken_ = 0;
     // Where it stopped.

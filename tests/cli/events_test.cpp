@@ -182,6 +182,16 @@ TEST_CASE("whatif takes a matrix of configurations") {
     CHECK_THAT(result.out, Contains(dataflow::grouped(std::stoull(cycles))));
 }
 
+TEST_CASE("whatif compares a matrix with the recorded total, load included") {
+    Workspace const workspace;
+    require_done(workspace.tool({"run", "config.yaml", "--events", "loads", "--set", "accelerator.memory.model=axi",
+                                 "--set", "accelerator.memory.mesh=on_chip"}));
+    workspace.folder().write("matrix.yaml", "- {}\n");
+    require_done(workspace.tool({"whatif", "loads", "--matrix", "matrix.yaml", "--csv", "rows.csv"}));
+    std::string const row = lines_of(workspace.text("rows.csv")).at(1);
+    CHECK(row.substr(row.rfind(',')) == ",0");
+}
+
 TEST_CASE("whatif refuses to count the words of other banks where they are cleared side by side") {
     Workspace const workspace;
     Words const wide{"--set", "accelerator.inlier_unit.clearing=wide"};

@@ -51,14 +51,17 @@ struct WhatifRequest {
     bool force = false;                  ///< however long it takes, whatever memory there is
 };
 
+runs::RunRecord record_of(std::string const& name, events::EventFile const& recorded) {
+    return runs::run_record(name, recorded.summary, recorded.samples);
+}
+
 runs::Comparison with_recorded(std::string const& name, events::EventFile const& recorded, LoadedConfig const& changed,
                                RunStatistics const& run) {
     std::vector<ResolvedKey> keys = resolved_keys(changed.config);
     auto const is_unknown = [](ResolvedKey const& key) { return !decides_figures(key.key); };  // to an event file
     keys.erase(std::remove_if(keys.begin(), keys.end(), is_unknown), keys.end());
     std::string const summary = report::summary_json(keys, run, {});
-    return runs::compare(runs::run_record(name, recorded.summary, recorded.samples),
-                         runs::run_record("whatif", summary, run.samples));
+    return runs::compare(record_of(name, recorded), runs::run_record("whatif", summary, run.samples));
 }
 
 /// What looks like a mistake of the workload does so with any timing.
@@ -133,7 +136,7 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
     auto const csv = io::optional_output_file(request.csv);
     std::vector<Settings> const list = read_settings_list(request.matrix, example_setting(recorded.loaded.config));
     std::vector<Machine> machines;
-    report::WhatifTable table(machine_of(recorded.loaded.config), recorded.samples);
+    report::WhatifTable table(machine_of(recorded.loaded.config), record_of(request.events, recorded).total_cycles);
     for (Settings const& row : list) {
         machines.push_back(machine_of(config_of_row(request.matrix, row, base).config));
         table.add_row(fmt::format("{}", fmt::join(row.overrides, " ")), machines.back());

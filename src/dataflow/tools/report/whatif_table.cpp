@@ -1,6 +1,5 @@
 #include "dataflow/tools/report/whatif_table.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 #include <utility>
@@ -15,11 +14,10 @@ constexpr char const* finished = "finished";
 constexpr char const* unknown = "unknown";
 }  // namespace
 
-WhatifTable::WhatifTable(Machine const& recorded, std::vector<SampleStatistics> const& samples) {
+WhatifTable::WhatifTable(Machine const& recorded, Cycles total_cycles) {
     recorded_.settings = "as recorded";
     recorded_.clock_mhz = recorded.clock_mhz;
-    for (SampleStatistics const& sample : samples)
-        recorded_.total_cycles = std::max(recorded_.total_cycles, sample.end_cycle + 1);
+    recorded_.total_cycles = total_cycles;
 }
 
 void WhatifTable::add_row(std::string settings, Machine const& machine) {

@@ -12,7 +12,7 @@ namespace dataflow::report {
 class WhatifTable {
   public:
     /// The recorded run: what the rows are compared with.
-    WhatifTable(Machine const& recorded, std::vector<SampleStatistics> const& samples);
+    WhatifTable(Machine const& recorded, Cycles total_cycles);
 
     /// `settings` says what the configuration changes.
     void add_row(std::string settings, Machine const& machine);

@@ -340,6 +340,19 @@ TEST_CASE("What an arbiter finds is not retimed if it might find something else,
     CHECK_THAT(example.text("steps.csv"), Contains("accelerator.modules.first.starts,0,1,unknown,,,0,unknown\n"));
 }
 
+TEST_CASE("A stage of a read that its module's code could not have is not valid in tables either", "[examples]") {
+    Example const example("memory");
+    example.run({"accelerator.fifos.loaded.read_stage=1", "accelerator.loops.doubler.double.depth=4"},
+                {"--events", "events"});
+    example.done({"sensitivities", "events", "--csv", (example / "steps.csv").string()});
+    CHECK_THAT(example.text("steps.csv"), Contains("accelerator.fifos.loaded.read_stage,1,2,invalid,,,0,invalid\n"));
+    std::ofstream(example / "list.yaml") << "- {}\n- {accelerator.fifos.loaded.read_stage: 2}\n";
+    CommandResult const refused = example.call({"whatif", "events", "--matrix", (example / "list.yaml").string()});
+    CHECK(refused.exit_code == 2);
+    CHECK_THAT(refused.err,
+               Contains("list.yaml:2: loop doubler.double reads loaded in stage 2, behind other accesses"));
+}
+
 /// With o = 4 bursts of 16 tokens under way, of R = 64 cycles: row "outstanding" of docs/memory-model.md, by hand.
 TEST_CASE("An external memory of a slow clock keeps time for more than seven months", "[examples]") {
     // 3,000 samples of 6 million cycles of a millisecond: more picoseconds than 64 bits hold.

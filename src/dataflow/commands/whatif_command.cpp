@@ -107,10 +107,13 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
     return exit_done;
 }
 
-/// The configuration of a matrix's row. Complaints name the row instead of --set.
-LoadedConfig config_of_row(std::string const& matrix, Settings const& row, LoadedConfig const& base) {
+/// The machine of a matrix's row. Complaints name the row instead of --set.
+Machine machine_of_row(std::string const& matrix, Settings const& row, LoadedConfig const& base,
+                       replay::RecordedRun const& run) {
     try {
-        return events::retimed_config(base, row.overrides);
+        Machine machine = machine_of(events::retimed_config(base, row.overrides).config);
+        replay::require_run_on(machine, run);
+        return machine;
     } catch (InputError const& error) {
         std::string what = error.what();
         if (what.rfind("--set ", 0) == 0)
@@ -138,7 +141,7 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
     std::vector<Machine> machines;
     report::WhatifTable table(machine_of(recorded.loaded.config), record_of(request.events, recorded).total_cycles);
     for (Settings const& row : list) {
-        machines.push_back(machine_of(config_of_row(request.matrix, row, base).config));
+        machines.push_back(machine_of_row(request.matrix, row, base, recorded.run));
         table.add_row(fmt::format("{}", fmt::join(row.overrides, " ")), machines.back());
     }
     if (!request.force)

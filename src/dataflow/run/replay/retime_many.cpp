@@ -17,6 +17,17 @@ std::optional<RunStatistics> retimed_if_known(ScriptedRun const& run, Machine co
 }
 }  // namespace
 
+void require_run_on(Machine const& machine, RecordedRun const& run) { core_variant(*run.blueprint, machine); }
+
+bool allows_run_on(Machine const& machine, RecordedRun const& run) {
+    try {
+        require_run_on(machine, run);
+        return true;
+    } catch (NotRetimable const&) {
+        return false;
+    }
+}
+
 void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done) {
     if (!machines.empty())
         retime_many(ScriptedRun(run, run.lead(machines.front()),

@@ -1,6 +1,7 @@
 #include "dataflow/run/replay/sensitivities.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "dataflow/run/config/config_sources.hpp"
 #include "dataflow/run/config/design.hpp"
@@ -17,13 +18,17 @@ struct Tasks {
     std::vector<SensitivityStep*> steps;
 };
 
-void add_step(LoadedConfig const& loaded, Key const& key, std::int64_t value, SensitivityStep& step, Tasks& tasks) {
+void add_step(RecordedRun const& run, LoadedConfig const& loaded, Key const& key, std::int64_t value,
+              SensitivityStep& step, Tasks& tasks) {
     LoadedConfig changed = loaded;
     key.write(changed.config, KeyValue{value});
-    step.valid = accepts(key.integers, value) && cross_check(changed).empty();
+    if (!accepts(key.integers, value) || !cross_check(changed).empty())
+        return;
+    Machine machine = machine_of(changed.config);
+    step.valid = allows_run_on(machine, run);
     if (!step.valid)
         return;
-    tasks.machines.push_back(machine_of(changed.config));
+    tasks.machines.push_back(std::move(machine));
     tasks.steps.push_back(&step);
 }
 
@@ -54,8 +59,8 @@ std::vector<Sensitivity> sensitivities(RecordedRun const& run, LoadedConfig cons
     for (std::size_t i = 0; i < keys.size(); ++i) {
         rows[i].key = keys[i].name();
         rows[i].value = std::get<std::int64_t>(keys[i].read(loaded.config));
-        add_step(loaded, keys[i], rows[i].value - 1, rows[i].down, tasks);
-        add_step(loaded, keys[i], rows[i].value + 1, rows[i].up, tasks);
+        add_step(run, loaded, keys[i], rows[i].value - 1, rows[i].down, tasks);
+        add_step(run, loaded, keys[i], rows[i].value + 1, rows[i].up, tasks);
     }
     std::size_t done = 0;
     retime_many(run, tasks.machines, [&](std::size_t i, std::optional<RunStatistics> const& retimed) {

@@ -12,9 +12,9 @@ namespace {
 /// The search along one direction of one key: first the farthest change, then doubling, then bisection.
 class Search {
   public:
-    Search(LoadedConfig const& loaded, Key const& key, std::int64_t direction, Cycles total_cycles,
-           SensitivityStep& step)
-        : loaded_(loaded), key_(key), direction_(direction), total_cycles_(total_cycles), step_(step) {
+    Search(RecordedRun const& run, LoadedConfig const& loaded, Key const& key, std::int64_t direction,
+           Cycles total_cycles, SensitivityStep& step)
+        : run_(run), loaded_(loaded), key_(key), direction_(direction), total_cycles_(total_cycles), step_(step) {
         costly_ = step.valid ? farthest_valid() + 1 : 1;
         end_ = costly_ > most_slack ? SlackEnd::limit : SlackEnd::invalid;
         if (step.valid)
@@ -56,7 +56,10 @@ class Search {
 
     bool is_valid(std::int64_t change) const {
         std::int64_t const value = std::get<std::int64_t>(key_.read(loaded_.config)) + direction_ * change;
-        return accepts(key_.integers, value) && cross_check(changed_by(change)).empty();
+        if (!accepts(key_.integers, value))
+            return false;
+        LoadedConfig const changed = changed_by(change);
+        return cross_check(changed).empty() && allows_run_on(machine_of(changed.config), run_);
     }
 
     /// Keys are valid up to some value.
@@ -70,6 +73,7 @@ class Search {
         return valid;
     }
 
+    RecordedRun const& run_;
     LoadedConfig const& loaded_;
     Key const& key_;
     std::int64_t direction_;
@@ -90,8 +94,8 @@ void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total
     Keys const keys = timing_keys(loaded.config);
     std::vector<Search> searches;
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        searches.emplace_back(loaded, keys[i], -1, total_cycles, rows[i].down);
-        searches.emplace_back(loaded, keys[i], 1, total_cycles, rows[i].up);
+        searches.emplace_back(run, loaded, keys[i], -1, total_cycles, rows[i].down);
+        searches.emplace_back(run, loaded, keys[i], 1, total_cycles, rows[i].up);
     }
     ScriptedRun const scripted(run, machine_of(loaded.config).lead);
     for (std::size_t done = 0;;) {

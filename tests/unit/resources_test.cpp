@@ -142,6 +142,36 @@ TEST_CASE("Interpolation is checked against synthesized points that took no part
     CHECK(largest < 0.30);
 }
 
+TEST_CASE("A FIFO deeper than all that were synthesized grows by its structure, from the deepest one on",
+          "[resources]") {
+    struct Row {
+        std::uint64_t tokens;
+        unsigned bits;
+        double lut, ff;
+    };
+    // 48 LUTs for every 32 tokens, two for a bit of the count; above 128 tokens 48 for every four inputs of a
+    // multiplexer. 256 x 8 is 83 and 9 by Yosys.
+    for (Row const& row :
+         {Row{64, 48, 105, 7}, Row{65, 48, 153, 7}, Row{96, 48, 153, 7}, Row{97, 48, 201, 7}, Row{512, 48, 831, 10},
+          Row{5000, 48, 8229, 13}, Row{100'000, 48, 162'653, 17}, Row{512, 2, 49, 10}, Row{256, 8, 85, 9}}) {
+        ResourcePart const fifo = synthesized_units().fifo(FifoKind::shift_register, row.tokens, row.bits);
+        INFO(row.tokens << " tokens of " << row.bits << " bits");
+        CHECK(are_equal(fifo.amount, {row.lut, row.ff, 0, 0}));
+        CHECK(fifo.basis == (row.tokens > 64 ? ResourceBasis::counted : ResourceBasis::interpolated));
+    }
+    Resources const deep = synthesized_units().fifo(FifoKind::memory, 100'000, 32).amount;  // 131,072 words
+    CHECK(deep.ramb36 == 128);
+    CHECK(deep.ff == 33 + 3 * 7);  // a count and two addresses of 7 bits more than 1,024 words have
+}
+
+TEST_CASE("A machine with a deep shift register takes what that takes", "[resources]") {
+    auto const lut_at = [](std::string const& depth) {
+        std::string const fifo = "accelerator.fifos.fragment_depth.";
+        return resources_of(machine_with({fifo + "kind=shift_register", fifo + "depth=" + depth})).core.amount.lut;
+    };
+    CHECK(lut_at("512") - lut_at("64") == 831 - 105);
+}
+
 TEST_CASE("The default design is synthesized but for its memories", "[resources]") {
     MachineResources const resources = resources_of(machine_of(RunConfig()));
     REQUIRE(resources.modules.size() == 8);

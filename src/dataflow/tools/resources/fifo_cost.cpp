@@ -4,6 +4,7 @@
 #include <array>
 
 #include "dataflow/base/device/primitive_shapes.hpp"
+#include "dataflow/base/integer_bits.hpp"
 
 namespace dataflow {
 
@@ -30,6 +31,16 @@ Primitives block_ram(std::uint64_t depth, std::uint64_t bits) {
     return {0, std::min(fewest(depth, bits, simple_ramb18_shapes), 2 * fewest(depth, bits, simple_ramb36_shapes))};
 }
 
+/// LUTs for each bit.
+std::uint64_t multiplexers_of(std::uint64_t depth) {
+    std::uint64_t luts = 0;
+    for (std::uint64_t inputs = divided_up(depth, 128); inputs > 1;) {
+        inputs = divided_up(inputs, 4);
+        luts += inputs;
+    }
+    return luts;
+}
+
 }  // namespace
 
 double cost_of(Primitives const& primitives, CostWeights const& weights) {
@@ -42,6 +53,18 @@ Primitives primitives_of(FifoKind kind, std::uint64_t depth, unsigned bits, Cost
     Primitives const distributed = distributed_ram(depth, bits);
     Primitives const block = block_ram(depth, bits);
     return cost_of(block, weights) < cost_of(distributed, weights) ? block : distributed;
+}
+
+Resources counted_fifo(FifoKind kind, std::uint64_t tokens, std::uint64_t capacity, unsigned bits) {
+    Primitives const primitives = primitives_of(kind, tokens, bits, {});
+    double const count = bits_for(capacity);
+    Resources fifo{static_cast<double>(primitives.luts) + 2 * count, count, 0,
+                   static_cast<double>(primitives.ramb18) / 2};
+    if (kind == FifoKind::shift_register)
+        fifo.lut += static_cast<double>(bits * multiplexers_of(tokens));
+    else  // two addresses, the output register and its valid bit
+        fifo += {2 * count, 2 * count + bits + 1, 0, 0};
+    return fifo;
 }
 
 }  // namespace dataflow

@@ -6,7 +6,8 @@
 
 namespace dataflow {
 
-/// What a FIFO's tokens are kept in, on an UltraScale+ device. Counters, flags and output registers are not counted.
+/// What a FIFO's tokens are kept in, on an UltraScale+ device. Counters, flags, multiplexers and output registers are
+/// not counted.
 struct Primitives {
     std::uint64_t luts = 0;    ///< look-up tables of SLICEMs, as shift registers or as distributed RAM
     std::uint64_t ramb18 = 0;  ///< block RAMs of 18 Kbit; two are a RAMB36
@@ -31,5 +32,10 @@ double cost_of(Primitives const& primitives, CostWeights const& weights);
 /// shape of RAMB18 or RAMB36 that takes fewest, simple dual port shapes of 512 words included.
 /// Source: AMD UG574 (SLICEM), UG573 (block RAM).
 Primitives primitives_of(FifoKind kind, std::uint64_t depth, unsigned bits, CostWeights const& weights);
+
+/// A whole FIFO of a kind that is resolved: its primitives, a counter that reaches `capacity`, a memory's addresses and
+/// output register, a long shift register's multiplexers. Four SRLC32E join for nothing (MUXF7, MUXF8); of such fours a
+/// LUT per bit picks one in four, and so on until one is left.
+Resources counted_fifo(FifoKind kind, std::uint64_t tokens, std::uint64_t capacity, unsigned bits);
 
 }  // namespace dataflow

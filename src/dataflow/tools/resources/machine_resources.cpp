@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "dataflow/base/integer_bits.hpp"
 #include "dataflow/tools/resources/fifo_cost.hpp"
 
 namespace dataflow {
@@ -28,10 +27,12 @@ std::vector<MachineResources::Module> modules_of(Machine const& machine, ToldRes
 std::vector<ResourcePart> fifos_of(Machine const& machine, ToldResources const& told) {
     std::vector<ResourcePart> fifos;
     for (std::size_t const i : dataflow::fifos_of(machine)) {
-        ResourcePart part{"", counted_fifo(machine.fifos[i]), ResourceBasis::counted};
+        MachineFifo const& fifo = machine.fifos[i];
+        ResourcePart part{"", counted_fifo(fifo.kind, fifo.tokens(), fifo.capacity(), fifo.bits),
+                          ResourceBasis::counted};
         if (!told.fifos.empty())
             part = told.fifos[i];
-        part.name = machine.fifos[i].name;
+        part.name = fifo.name;
         fifos.push_back(std::move(part));
     }
     return fifos;
@@ -47,16 +48,6 @@ std::vector<ResourcePart> memories_of(Machine const& machine) {
 }
 
 }  // namespace
-
-Resources counted_fifo(MachineFifo const& fifo) {
-    Primitives const tokens = primitives_of(fifo.kind, fifo.tokens(), fifo.bits, {});
-    double const count = bits_for(fifo.capacity());
-    Resources fifo_takes{static_cast<double>(tokens.luts) + 2 * count, count, 0,
-                         static_cast<double>(tokens.ramb18) / 2};
-    if (fifo.kind == FifoKind::memory)  // two addresses, the output register and its valid bit
-        fifo_takes += {2 * count, 2 * count + fifo.bits + 1, 0, 0};
-    return fifo_takes;
-}
 
 MachineResources resources_of(Machine const& machine) {
     ToldResources const told = machine.resources == nullptr ? ToldResources{} : (*machine.resources)(machine);

@@ -29,7 +29,4 @@ struct MachineResources {
 
 MachineResources resources_of(Machine const& machine);
 
-/// A FIFO as its primitives, with counters and output register; if the design does not tell.
-Resources counted_fifo(MachineFifo const& fifo);
-
 }  // namespace dataflow

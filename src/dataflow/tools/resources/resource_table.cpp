@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "dataflow/tools/resources/fifo_cost.hpp"
 #include "dataflow/tools/resources/unit_keys.hpp"
 
 namespace dataflow {
@@ -135,15 +136,28 @@ ResourcePart ResourceTable::on_grid(std::string const& name, std::string const& 
             is_row ? ResourceBasis::synthesized : ResourceBasis::interpolated};
 }
 
+double ResourceTable::largest(std::string const& unit, std::string const& key) const {
+    double largest = 0;
+    for (Row const& row : rows_)
+        if (row.unit == unit)
+            largest = std::max(largest, number(row.keys.at(key)).value());
+    return largest;
+}
+
 ResourcePart ResourceTable::fifo(FifoKind kind, std::uint64_t tokens, unsigned bits) const {
-    if (kind == FifoKind::shift_register)
-        return on_grid("fifo.shift_register", "depth", static_cast<double>(tokens), "bits", bits);
-    std::uint64_t words = 4;
-    while (words < tokens)
-        words *= 2;
-    ResourcePart part = on_grid("fifo.memory", "depth", static_cast<double>(words), "bits", bits);
-    if (words != tokens)
+    bool const is_memory = kind == FifoKind::memory;
+    std::string const unit = is_memory ? "fifo.memory" : "fifo.shift_register";
+    std::uint64_t places = is_memory ? 4 : tokens;
+    while (places < tokens)
+        places *= 2;
+    std::uint64_t const in_rows = std::min(places, static_cast<std::uint64_t>(largest(unit, "depth")));
+    ResourcePart part = on_grid(unit, "depth", static_cast<double>(in_rows), "bits", bits);
+    if (places != tokens)
         part.basis = ResourceBasis::interpolated;
+    if (places > in_rows) {
+        part.amount += counted_fifo(kind, places, places, bits) - counted_fifo(kind, in_rows, in_rows, bits);
+        part.basis = ResourceBasis::counted;
+    }
     part.amount.ramb36 = std::ceil(2 * part.amount.ramb36) / 2;  // whole RAMB18
     return part;
 }

@@ -37,7 +37,8 @@ class ResourceTable {
     ResourcePart on_grid(std::string const& name, std::string const& first, double at_first, std::string const& second,
                          double at_second) const;
     /// A FIFO for `tokens` tokens, of a kind that is resolved: units fifo.shift_register and fifo.memory, by depth and
-    /// bits. A memory is as deep as the next power of two.
+    /// bits. A memory is as deep as the next power of two. One that is deeper than all rows takes more than the deepest
+    /// of them by what counted_fifo() says: it grows in steps, which no line through two rows has.
     ResourcePart fifo(FifoKind kind, std::uint64_t tokens, unsigned bits) const;
 
     struct Row {
@@ -52,6 +53,7 @@ class ResourceTable {
     Row const* row(std::string const& unit, Keys const& keys) const;
     Row const& nearest(std::string const& unit, Keys const& keys) const;
     Resources change(std::string const& unit, UnitKey const& key) const;
+    double largest(std::string const& unit, std::string const& key) const;
 
     std::vector<Row> rows_;
 };

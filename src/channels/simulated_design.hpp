@@ -25,7 +25,7 @@ class Workload {
     virtual std::size_t samples() const = 0;
     /// What in it looks like a mistake, a line each.
     virtual std::vector<std::string> warnings() const { return {}; }
-    /// To say beforehand how long a run is; none: no idea.
+    /// To say beforehand how long a run is; none: no idea, and its first samples are timed.
     virtual LoopIterations iterations() const { return {}; }
     /// What it is made of as a table, for Design::workload_table(). Empty: not known.
     virtual std::string table() const { return {}; }

@@ -421,6 +421,23 @@ TEST_CASE("A design that waits in a circle is reported, with who waits for whom"
     }
 }
 
+TEST_CASE("A run of hours asks whether it is meant, of any design", "[examples]") {
+    TempFolder const folder;
+    folder.write("config.yaml", "");
+    for (auto const& [binary, settings] : std::map<std::string, Words>{
+             {CONVOLUTION_BINARY, {"--set", "workload.rows=4096", "--set", "workload.cols=4096"}},
+             {HLS_PIPELINE_BINARY, {"--set", "workload.numbers=1000000"}}}) {
+        Words words{"run", "config.yaml", "--set", "workload.samples=1000000"};
+        words.insert(words.end(), settings.begin(), settings.end());
+        CommandResult const result = run_command(binary, words, folder.path());
+        CHECK(result.exit_code == 2);
+        CHECK(result.out.empty());
+        CHECK_THAT(result.err, Contains(": run: would take long (1000000 samples: about ") &&
+                                   Contains("expected less than an hour of work, or run --force\n"));
+        CHECK(result.seconds < 30);  // of which a sample or a few took most
+    }
+}
+
 TEST_CASE("Ports and banks of the line buffer decide the convolution's pace", "[examples]") {
     struct Memory {
         Words settings;

@@ -14,6 +14,7 @@
 #include "dataflow/commands/explore_server.hpp"
 #include "dataflow/commands/options.hpp"
 #include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/run_size.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/simulated_run.hpp"
 #include "dataflow/commands/standard_commands.hpp"
@@ -62,7 +63,7 @@ std::unique_ptr<Recorded> record(ExploreRequest const& request) {
     recorded->loaded = load_config(request.input, request.overrides);
     auto const workload = simulated_design().load_workload(recorded->loaded);
     say_warnings(workload->warnings());
-    announce(size_of_run(recorded->loaded.config, machine_of(recorded->loaded.config), *workload), request.force);
+    announce_run(recorded->loaded.config, machine_of(recorded->loaded.config), *workload, request.force);
     ProgressLine progress("samples");
     SimulationOptions options;
     options.recorded = &recorded->run;

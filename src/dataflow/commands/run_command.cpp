@@ -18,10 +18,10 @@
 #include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/recorded_events.hpp"
 #include "dataflow/commands/results_folder.hpp"
+#include "dataflow/commands/run_size.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/simulated_run.hpp"
 #include "dataflow/commands/waveform_size.hpp"
-#include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/design.hpp"
 #include "dataflow/run/config/keys.hpp"
 #include "dataflow/run/config/load_config.hpp"
@@ -207,7 +207,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     Machine const machine = machine_of(loaded.config);
     std::size_t const samples = workload->samples();
     std::vector<std::size_t> const report_samples = parse_report_samples(request.report_samples, samples);
-    announce(size_of_run(loaded.config, machine, *workload), request.force);
+    announce_run(loaded.config, machine, *workload, request.force);
 
     std::vector<Recording> recordings = make_recordings(
         request.recording, machine, samples,

@@ -13,7 +13,6 @@ namespace dataflow {
 
 namespace {
 
-constexpr double announced_s = 60;
 constexpr double longest_s = 3600;
 
 /// Loop iterations per second of the host, measured with shipped configurations.
@@ -60,7 +59,9 @@ WorkSize size_of_run(RunConfig const& config, Machine const& machine, std::size_
                      LoopIterations const& iterations) {
     WorkSize size;
     size.command = "run";
-    size.amount = fmt::format("{} samples, about {:.2g} loop iterations", samples, iterations.all());
+    size.amount = fmt::format("{} samples", samples);
+    if (iterations.all() > 0)
+        size.amount += fmt::format(", about {:.2g} loop iterations", iterations.all());
     size.seconds = config.simulation.engine == Engine::lockstep
                        ? iterations.all() / rate_in_lockstep
                        : iterations.alike / rate_of_alike + iterations.other / rate_of_other;

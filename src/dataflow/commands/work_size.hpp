@@ -9,6 +9,9 @@
 
 namespace dataflow {
 
+/// Work that takes longer is announced.
+constexpr double announced_s = 60;
+
 /// How large the work of a command is, before it is done: right within a factor of three or so, on the host on which
 /// the rates were measured.
 struct WorkSize {

@@ -180,6 +180,19 @@ TEST_CASE("Comparing with a run of another format or version is refused") {
     check_edited_run_refused("summary.json", "\"version\": 1", "\"version\": 7", {"version = 7, expected 1"});
 }
 
+TEST_CASE("Comparing with a run of another design says so") {
+    Runs const runs;
+    runs.run("a", traces / "one_triangle");
+    runs.run("b", traces / "one_triangle");
+    runs.folder().write("b/samples.csv", "sample,core,start_cycle,end_cycle,latency_cycles,sum\n");
+    // Whoever edited the file of a run of this very program is told the column.
+    runs.check_refused({"a", "b"}, {"b/samples.csv:1: no column valid_raster in the header, expected sample,core,",
+                                    "valid_edge,edge_inlier\n"});
+    runs.edit("b/summary.json", "\"program\": \"faster-sim\"", "\"program\": \"convolution\"");
+    runs.check_refused({"a", "b"},
+                       {"b: a run of convolution, whose design is another one, expected one of faster-sim\n"});
+}
+
 TEST_CASE("Comparing with a file that was cut off is refused, wherever the cut is") {
     Runs const runs;
     runs.run("a", traces / "one_triangle");

@@ -488,6 +488,18 @@ TEST_CASE("A whole waveform says beforehand how large it will be", "[vcd][fst]")
     CHECK(waves.run("edge_heavy", {"--vcd", "b.vcd", "--vcd-to", "50"}).out.find("about") == std::string::npos);
 }
 
+TEST_CASE("Lists that are none are refused, and say that they may be lists", "[vcd]") {
+    TempFolder const folder;
+    for (Words const& words :
+         {Words{"--vcd", "a.vcd", "--vcd-cores", "a"}, Words{"--vcd", "a.vcd", "--vcd-cores", "0,10"},
+          Words{"--report", "a.html", "--report-samples", "0-2,620"}}) {
+        Words all{"run", FASTER_SOURCE_DIR "/configs/faster_zcu102.yaml", "--set", "workload.samples.count=20"};
+        all.insert(all.end(), words.begin(), words.end());
+        check_bad_input(run_command(FASTER_SIM_BINARY, all, folder.path()),
+                        {words[2] + " ", ": expected numbers and ranges such as 0,2-4, within 0-"});
+    }
+}
+
 TEST_CASE("A waveform of more than 2 GB has to be forced", "[vcd]") {
     TempFolder const folder;
     auto const result_of = [&](Words words) {

@@ -26,7 +26,8 @@ using recording::RecordingWindow;
 using recording::ValueNames;
 
 /// "5" or "5-7".
-RecordingWindow::Samples parse_range(char const* option, std::string const& text, std::size_t end) {
+RecordingWindow::Samples parse_range(char const* option, std::string const& text, std::size_t end,
+                                     char const* expected = "a number or a range such as 5-7") {
     RecordingWindow::Samples range;
     char const* const last = text.data() + text.size();
     auto [at, error] = std::from_chars(text.data(), last, range.first);
@@ -39,8 +40,7 @@ RecordingWindow::Samples parse_range(char const* option, std::string const& text
     }
     if (!good || range.first > range.last || range.last >= end)
         throw InputError(end == 0 ? fmt::format("{} {}: the run has none", option, text)
-                                  : fmt::format("{} {}: expected a number or a range such as 5-7, within 0-{}", option,
-                                                text, end - 1));
+                                  : fmt::format("{} {}: expected {}, within 0-{}", option, text, expected, end - 1));
     return range;
 }
 
@@ -165,7 +165,8 @@ std::vector<std::size_t> parse_numbers(char const* option, std::string const& te
     std::vector<std::size_t> numbers;
     for (std::size_t begin = 0; begin <= text.size();) {
         std::size_t const comma = std::min(text.find(',', begin), text.size());
-        auto const range = parse_range(option, text.substr(begin, comma - begin), end);
+        auto const range =
+            parse_range(option, text.substr(begin, comma - begin), end, "numbers and ranges such as 0,2-4");
         for (std::size_t number = range.first; number <= range.last; ++number)
             numbers.push_back(number);
         begin = comma + 1;

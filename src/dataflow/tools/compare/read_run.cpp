@@ -48,15 +48,33 @@ io::CsvColumn limits_of(ColumnFacts const& column, RunRecord const& run) {
     return {name, min, static_cast<std::int64_t>(largest_figure)};
 }
 
+std::string first_line(fs::path const& path) {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
 /// How many of the design's counters a samples.csv has, by the length of its first line. Names are checked when it is
 /// read.
 std::size_t counters_in(fs::path const& path) {
-    std::ifstream file(path);
-    std::string header;
-    std::getline(file, header);
+    std::string const header = first_line(path);
     auto const columns = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
     std::size_t const all = design().counters().size(), always = design().counters_of_all();
-    return columns == std::size(sample_columns) + always ? always : all;
+    return columns <= std::size(sample_columns) + always ? always : all;
+}
+
+/// Another design's samples have other counters. Programs of one design may have several names.
+void require_own_design(fs::path const& folder, std::string const& program) {
+    std::string const header = first_line(folder / "samples.csv") + ",";
+    auto const begin = design().counters().begin();
+    bool const is_own = std::all_of(begin, begin + static_cast<std::ptrdiff_t>(design().counters_of_all()),
+                                    [&header](ColumnFacts const& counter) {
+                                        return header.find(fmt::format(",{},", counter.name)) != header.npos;
+                                    });
+    if (!is_own && !program.empty() && program != program_name())
+        throw InputError(fmt::format("{}: a run of {}, whose design is another one, expected one of {}",
+                                     folder.string(), program, program_name()));
 }
 
 std::vector<io::CsvColumn> limits_of_samples(RunRecord const& run, std::size_t counters) {
@@ -264,6 +282,15 @@ Json parse_summary(std::filesystem::path const& path) {
     return io::read_json_file(path, fmt::format("a summary of {} run", program_name()));
 }
 
+/// Empty: it does not say.
+std::string program_of(Json const& summary) {
+    auto const made_by = summary.find("made_by");
+    if (made_by == summary.end() || !made_by->is_object())
+        return {};
+    auto const program = made_by->find("program");
+    return program == made_by->end() || !program->is_string() ? std::string() : program->get<std::string>();
+}
+
 /// What a summary.json tells about a run: all of a RunRecord but folder and samples. Throws InputError for another
 /// format or version, a missing or impossible value, and for tables in which a core lacks an item that another has, or
 /// has one twice.
@@ -296,6 +323,7 @@ RunRecord read_run(std::filesystem::path const& folder) {
     JsonSection const summary(file.string(), "", document);
     RunRecord run = read_summary(summary);
     run.folder = folder.string();
+    require_own_design(folder, program_of(document));
     run.samples = read_samples(folder / "samples.csv", run, summary.integer("samples"));
     check_fifos(folder / "fifos.csv", run);
     check_loops(folder / "loops.csv", run);

@@ -467,6 +467,11 @@ TEST_CASE("Wrong usage is refused in one line") {
     for (char const* const option : {"--trace", "--out", "--events", "--vcd", "--report"})  // as of "$UNSET"
         check_refused(workspace, {"run", "config.yaml", option, ""}, {option, "is empty"});
     check_refused(workspace, {"run", ""}, {"config: is empty, expected CONFIG"});
+    for (std::string const flag : {"--critical-path", "--force"})
+        for (char const* const value : {"=3", "=no"})
+            check_refused(workspace, {"run", "config.yaml", flag + value},
+                          {flag + ": has a value, expected it without one (see faster-sim run --help)"});
+    check_refused(workspace, {"cosim", "trace", "--no-forwarding=1"}, {"--no-forwarding: has a value"});
 }
 
 TEST_CASE("A negative number of pictures is refused in one line") {

@@ -70,14 +70,19 @@ class Tool {
         app.set_version_flag("--version", version());
         app.require_subcommand(1);
         std::vector<std::function<int()>> actions;
-        for (Subcommand const& command : commands_)
-            actions.push_back(command.declare(*app.add_subcommand(command.name, command.help)));
+        for (Subcommand const& command : commands_) {
+            CLI::App& declared = *app.add_subcommand(command.name, command.help);
+            actions.push_back(command.declare(declared));
+            for (CLI::Option* const option : declared.get_options())
+                if (option->get_items_expected_max() == 0)
+                    option->disable_flag_override();
+        }
         try {
             app.parse(argc, argv);
         } catch (CLI::ParseError const& error) {
             int const code = error.get_exit_code();
             if (code != 0)
-                throw InputError(fmt::format("{} (see {} --help)", error.what(), name_with_command(app)));
+                throw InputError(fmt::format("{} (see {} --help)", text_of(error), name_with_command(app)));
             app.exit(error);  // --help, --version
             return [] { return exit_done; };
         }
@@ -88,6 +93,15 @@ class Tool {
         require_words(command);
         made_by().command = command_text(command);
         return actions[chosen];
+    }
+
+    /// As the parser says it, but for a flag that is given a value.
+    static std::string text_of(CLI::ParseError const& error) {
+        std::string const text = error.what();
+        std::size_t const end = text.find(" was given a disallowed flag override");
+        if (end == std::string::npos)
+            return text;
+        return (end == 1 ? "-" : "--") + text.substr(0, end) + ": has a value, expected it without one";
     }
 
     std::string name_with_command(CLI::App const& app) const {

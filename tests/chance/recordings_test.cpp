@@ -11,6 +11,7 @@
 #include "channels/sample_module.hpp"
 #include "channels/simulate.hpp"
 #include "dataflow/core/machine/core_of.hpp"
+#include "dataflow/run/config/calls.hpp"
 #include "dataflow/tools/recording/core_timeline.hpp"
 #include "dataflow/tools/recording/write_waveform.hpp"
 #include "faster/dataflow_names.hpp"
@@ -105,12 +106,13 @@ struct Stretch {
 /// Samples by the table and by a timeline, how many iterations that has of each loop, and a stretch of the waveform.
 /// With `window`, only that is recorded.
 std::string shown(Parts const& parts, Engine engine, std::size_t samples, Stretch stretch,
-                  std::optional<Stretch> window = {}) {
+                  std::optional<Stretch> window, MachineSettings const& settings) {
     return testing::forked_bytes([&] {
         std::vector<ModuleDescription> modules;
         for (Part const& part : parts)
             modules.push_back(part.module);
-        auto const machine = std::make_shared<Machine const>(make_machine(core_of(modules), {}));
+        auto const machine =
+            std::make_shared<Machine const>(make_machine(with_calls(core_of(modules), settings), settings));
         DataflowAccelerator accelerator("accelerator", machine, samples, engine,
                                         [&parts](char const* name, std::shared_ptr<Machine const> const& of,
                                                  CoreShare share, TimeBase const& time_base) {
@@ -145,10 +147,16 @@ std::string shown(Parts const& parts, Engine engine, std::size_t samples, Stretc
 }
 
 /// In both engines.
-std::string shown(Parts const& parts, std::size_t samples, Stretch stretch, std::optional<Stretch> window = {}) {
-    std::string const text = shown(parts, Engine::lockstep, samples, stretch, window);
-    CHECK(shown(parts, Engine::decoupled, samples, stretch, window) == text);
+std::string shown(Parts const& parts, std::size_t samples, Stretch stretch, std::optional<Stretch> window = {},
+                  MachineSettings const& settings = {}) {
+    std::string const text = shown(parts, Engine::lockstep, samples, stretch, window, settings);
+    CHECK(shown(parts, Engine::decoupled, samples, stretch, window, settings) == text);
     return text;
+}
+std::string shown_in_turn(Parts const& parts, std::size_t samples, Stretch stretch) {
+    MachineSettings settings;
+    settings.calls = CallOrder::in_turn;
+    return shown(parts, samples, stretch, {}, settings);
 }
 
 /// Of one module, with two iterations a call, which access nothing.
@@ -159,6 +167,16 @@ Parts lone_loop(Cycles interval, Cycles depth, bool rewinds) {
         loop.rewinds();
     part.work = [](ProcessClock& clock, DataflowCore&) { clock.pipeline("run", 2); };
     return {part};
+}
+
+/// With as many iterations in each call as are said; for one run.
+Parts lone_loop(Cycles interval, Cycles depth, bool rewinds, std::vector<std::uint64_t> iterations) {
+    Parts parts = lone_loop(interval, depth, rewinds);
+    parts.front().work = [iterations = std::move(iterations), call = std::size_t{0}](ProcessClock& clock,
+                                                                                     DataflowCore&) mutable {
+        clock.pipeline("run", iterations.at(call++));
+    };
+    return parts;
 }
 
 /// Two modules that do ten iterations a call, with a token each.
@@ -199,6 +217,38 @@ TEST_CASE("One module begins a sample with its next call") {
     std::string const drains = shown(lone_loop(4, 1, false), 3, {0, 14});
     CHECK_THAT(drains, Contains("table 0-4 5-9 10-14\ntimeline 0-4 5-9 10-14 run 2 run 2 run 2\n"));
     CHECK_THAT(drains, Contains("sample.start 0:1 1:0 5:1 6:0 10:1 11:0\n"));
+}
+
+TEST_CASE("A loop that rewinds drains where no call follows at once") {
+    // As if it did not rewind.
+    CHECK_THAT(shown_in_turn(lone_loop(4, 1, true), 3, {0, 14}),
+               Contains("table 0-4 5-9 10-14\ntimeline 0-4 5-9 10-14 run 2 run 2 run 2\n") &&
+                   Contains("sample.start 0:1 1:0 5:1 6:0 10:1 11:0\n"));
+    CHECK_THAT(shown_in_turn(lone_loop(2, 9, true), 3, {0, 40}),
+               Contains("table 0-10 11-21 22-32\ntimeline 0-10 11-21 22-32 "));
+    // It does something else in front of the loop.
+    Parts lone = lone_loop(2, 9, true);
+    lone.front().work = [](ProcessClock& clock, DataflowCore&) {
+        clock.advance(1);
+        clock.pipeline("run", 2);
+    };
+    CHECK_THAT(shown(lone, 3, {0, 40}), Contains("table 0-11 12-23 24-35\ntimeline 0-11 12-23 24-35 "));
+    // So does the first of two modules: a call of it takes 1 + 9 + 3 cycles.
+    Parts pair = pair_of_loops(1, 3, true);
+    pair.front().work = [send = pair.front().work](ProcessClock& clock, DataflowCore& core) {
+        clock.advance(1);
+        send(clock, core);
+    };
+    CHECK_THAT(shown(pair, 3, {0, 60}), Contains("sample.start 0:1 1:0 13:1 14:0 26:1 27:0 "));
+}
+
+TEST_CASE("A call in which no cycle passes begins where the next one does") {
+    CHECK_THAT(shown(lone_loop(4, 1, false, {0, 2, 0, 2}), 4, {0, 20}),
+               Contains("table 0-0 0-4 5-4 5-9\ntimeline 0-0 0-4 5-4 5-9 run 2 run 2\n"));
+    CHECK_THAT(shown(lone_loop(4, 1, true, {0, 2, 0, 2}), 4, {0, 20}), Contains("table 0-0 0-4 8-4 8-12\n"));
+    // It ends in the last cycle of a window, behind which the one before it is over.
+    Parts const parts = lone_loop(4, 1, false, {2, 0, 2});
+    CHECK(shown(parts, 3, {1, 4}, Stretch{1, 4}) == shown(parts, 3, {1, 4}));
 }
 
 TEST_CASE("A window shows a loop that rewinds as the whole waveform does") {

@@ -156,8 +156,8 @@ template <class Process, class Port> class ProcessRules {
                 pass(operation.count());
                 break;
             case Kind::enter:
-                if (std::exchange(state_.rests, false))
-                    self().entered_again();
+                if (state_.rests)
+                    enter_again();
                 else
                     enter(operation.count());
                 break;
@@ -167,7 +167,9 @@ template <class Process, class Port> class ProcessRules {
                     return false;
                 break;
             case Kind::stamp:
-                self().stamped();
+                ++state_.stamps_held;
+                if (!state_.rests)
+                    release_stamps();
                 break;
             case Kind::iterate:
             case Kind::mixed:
@@ -467,6 +469,17 @@ template <class Process, class Port> class ProcessRules {
         begin_pipeline();
     }
 
+    /// The next call goes on where the one before has begun its last iteration.
+    void enter_again() {
+        release_stamps();
+        state_.rests = false;
+        self().entered_again();
+    }
+    void release_stamps() {
+        for (; state_.stamps_held > 0; --state_.stamps_held)
+            self().stamped();
+    }
+
     /// Lets the last tokens out, then moves to the end of the loop's last stage.
     bool leave() {
         PipelinePosition& pipeline = state_.pipeline;
@@ -481,6 +494,7 @@ template <class Process, class Port> class ProcessRules {
         state_.in_loop = state_.rests = false;
         mark(Region());
         self().left();
+        release_stamps();
         return true;
     }
 

@@ -37,7 +37,8 @@ template <class Time> struct ProcessState {
         Cycles steps = 0;
     };
     std::vector<Bubbles> bubbles;
-    bool rests = false;  ///< at the end of a loop that may go on with the next call's iterations
+    bool rests = false;             ///< at the end of a loop that may go on with the next call's iterations
+    std::uint64_t stamps_held = 0;  ///< told at rest: what follows decides what they note
     FlushingPipeline<Time> flushing;
 
     /// What an iteration of a loop accesses, `lag` iterations before the one at hand.

@@ -270,15 +270,15 @@ void ProcessTiming::left() {
         observer_->left_loop(*this, state_.time);
 }
 
+/// At rest, the next call begins at once, so many steps before the first access of its first iteration.
 void ProcessTiming::stamped() {
-    // At rest, the next iteration would begin so many steps before its first access.
     Cycles const begin = state_.rests ? state_.time - plan_->fill : state_.time;
     Cycles const end = state_.rests ? state_.time + static_cast<Cycles>(plan_->drain) : state_.time;
     Cycles const time = shape_->call_start.ends_samples ? end : begin;
     Cycles const cycle = time - std::min(time, shape_->stamps_back);
     figures_.stamps.push_back(cycle);
     if (shape_->call_start.ends_samples)
-        figures_.next_calls.push_back(state_.rests ? begin : cycle + 1);
+        figures_.next_calls.push_back(begin + (state_.rests ? 0 : 1 - shape_->stamps_back));
     if (observer_ != nullptr)
         observer_->stamped(*this, cycle);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -170,6 +171,12 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     Cycles not_before() const {
         Cycles const cycle = Rules::not_before();
         return cycle <= state_.time ? cycle : 0;  // a loop shorter than its II, entered in cycle 0
+    }
+    /// Nor does any stamp to come note one before this.
+    Cycles stamps_from() const {
+        Cycles const begin = state_.rests ? state_.time - plan_->fill : state_.time;
+        Cycles const cycle = std::min(not_before(), begin);
+        return cycle - std::min(cycle, shape_->stamps_back);
     }
     /// The first cycle in which it has nothing to do any more, of what is known.
     Cycles end() const { return flushes() ? state_.flushing.end(state_.time) : state_.time; }

@@ -18,7 +18,7 @@ Cycles latest_of(timing::CoreTiming const& timing) {
 Cycles earliest_of(timing::CoreTiming const& timing) {
     Cycles earliest = ~Cycles{0};
     for (timing::ProcessTiming const& process : timing.processes())
-        earliest = std::min(earliest, process.not_before());
+        earliest = std::min(earliest, process.stamps_from());
     return earliest;
 }
 

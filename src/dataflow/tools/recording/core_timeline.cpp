@@ -49,8 +49,9 @@ class TimelineMaker {
     Machine const& machine_;
     TimelineGrain grain_;
     CoreTimeline timeline_;
-    std::vector<Open> loops_;   // by process
-    std::vector<Open> stalls_;  // by process
+    std::vector<std::size_t> ended_;  // samples: without a cycle, one ends in the cycle before it begins
+    std::vector<Open> loops_;         // by process
+    std::vector<Open> stalls_;        // by process
     std::vector<Occupancy> occupancy_;
 };
 
@@ -128,9 +129,11 @@ void TimelineMaker::take_sample(Event const& event) {
     if (!is_in_window(event.cycle))
         return;
     if (event.kind == Kind::begin) {
-        timeline_.samples.push_back({sample, event.cycle, core_.to + 1, false});
+        bool const is_over = std::find(ended_.begin(), ended_.end(), sample) != ended_.end();
+        timeline_.samples.push_back({sample, event.cycle, is_over ? event.cycle : core_.to + 1, is_over});
         return;
     }
+    ended_.push_back(sample);
     for (CoreTimeline::Sample& begun : timeline_.samples)
         if (begun.sample == sample)
             begun = {sample, begun.begin, event.cycle + 1, true};

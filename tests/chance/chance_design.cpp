@@ -33,7 +33,8 @@ class Maker {
           dice_for_memory_(seed ^ 0x5A5A5A5A),
           dice_for_empty_(seed ^ 0x3C3C3C3C),
           dice_for_pace_(seed ^ 0x69696969),
-          dice_for_described_(seed ^ 0x96969696) {}
+          dice_for_described_(seed ^ 0x96969696),
+          dice_for_idle_(seed ^ 0xC3C3C3C3) {}
 
     Design make() {
         add_processes();
@@ -53,6 +54,7 @@ class Maker {
                 add_empty_loop(process);
         if (!dice_for_pace_.one_in(3))
             set_pace();
+        add_idle_samples();
         return design_;
     }
 
@@ -178,9 +180,12 @@ class Maker {
         }
     }
 
-    /// Processes that are one loop, but for waiting. Of the last one the end of a sample is only what is foreseen.
+    /// Processes that are one loop, but for waiting, which some do all the same: those drain. Of the last one the end
+    /// of a sample is only what is foreseen, unless nothing stops it.
     void let_rewind() {
-        for (std::size_t i = 0; i + 1 < design_.processes.size(); ++i) {
+        for (std::size_t i = 0; i < design_.processes.size(); ++i) {
+            if (i > 0 && i + 1 == design_.processes.size())
+                break;
             Process& process = design_.processes[i];
             std::vector<Segment> loops;
             for (Segment const& segment : process.program)
@@ -195,7 +200,7 @@ class Maker {
             Loop& loop = process.loops[loops.front().loop];
             loop.can_rewind = dice_for_memory_.one_in(2);
             loop.rewinds = loop.can_rewind;
-            if (loop.can_rewind)
+            if (loop.can_rewind && !dice_for_idle_.one_in(6))
                 process.program = loops;
         }
     }
@@ -217,7 +222,7 @@ class Maker {
     void add_memory() {
         set_memory(design_.memory, dice_for_memory_);
         for (Process& process : design_.processes) {
-            if (dice_for_memory_.one_in(2))
+            if (dice_for_memory_.one_in(2) || (design_.processes.size() == 1 && design_.rewinds(process)))
                 continue;
             MemoryPort& port = process.port;
             port.is_there = true;
@@ -260,6 +265,23 @@ class Maker {
             follows[other] = true;
             design_.anchors.push_back(f);
         }
+    }
+
+    /// One at least is not. Calls in turn and buffers are exchanged all the same, which is left out here. Mostly where
+    /// a loop rewinds: tokens of a call stay in it then.
+    void add_idle_samples() {
+        bool const rewinds = std::any_of(design_.processes.begin(), design_.processes.end(),
+                                         [this](Process const& process) { return design_.rewinds(process); });
+        if (!dice_for_idle_.one_in(rewinds ? 2 : 8))
+            return;
+        bool const hands_over = std::any_of(design_.processes.begin(), design_.processes.end(),
+                                            [](Process const& process) { return !process.buffers.empty(); });
+        if (hands_over || design_.calls == CallOrder::in_turn)
+            return;
+        design_.samples = dice_for_idle_.between(2, 6);
+        for (std::size_t i = 0; i < design_.samples; ++i)
+            design_.idle_samples.push_back(dice_for_idle_.one_in(2));
+        design_.idle_samples[dice_for_idle_.below(design_.samples)] = false;
     }
 
     void add_loop(Process& process, std::size_t loop, std::vector<Accesses> iterations) {
@@ -337,6 +359,7 @@ class Maker {
     Dice dice_for_empty_;
     Dice dice_for_pace_;
     Dice dice_for_described_;
+    Dice dice_for_idle_;
     Design design_;
 };
 
@@ -550,6 +573,8 @@ std::string text_of(Design const& design) {
                                                   std::to_string(design.memory.burst_bytes) + ", " +
                                                   std::to_string(design.memory.outstanding) + " outstanding\n"
                                             : "\n");
+    for (std::size_t sample = 0; sample < design.idle_samples.size(); ++sample)
+        text += design.is_idle(sample) ? "sample " + std::to_string(sample) + " is idle\n" : "";
     if (!design.anchors.empty())
         text += "paced by " + design.processes[design.driver].name + ", followed by way of" +
                 names_of(design, design.anchors) + "\n";

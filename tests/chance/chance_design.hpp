@@ -79,7 +79,7 @@ struct Process {
     std::vector<Loop> loops;
     std::uint64_t memory_ports = 2;
     MemoryPort port;
-    std::vector<Segment> program;  ///< of every sample
+    std::vector<Segment> program;  ///< of every sample that is not idle
     bool takes_early = false;      ///< reads by plain ports where that is allowed
     bool tries_early = false;      ///< in the body of an iteration, where that is allowed
 };
@@ -95,11 +95,13 @@ struct Design {
     Accesses anchors;
     std::uint64_t cores = 1;
     std::size_t samples = 1;
+    std::vector<bool> idle_samples;  ///< for which no process does anything; empty: none
 
     bool writes(std::size_t process, std::size_t fifo) const { return fifos[fifo].writer == process; }
     bool tries(std::size_t process, std::size_t fifo) const {
         return writes(process, fifo) ? fifos[fifo].writer_tries : fifos[fifo].reader_tries;
     }
+    bool is_idle(std::size_t sample) const { return !idle_samples.empty() && idle_samples[sample]; }
     bool has_memory() const { return memory.model == MemoryModel::axi; }
     /// Calls of a process are one loop after the other, without a gap.
     bool rewinds(Process const& process) const {

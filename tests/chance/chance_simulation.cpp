@@ -49,6 +49,10 @@ class ChanceModule : public SampleModule {
     bool tries(std::size_t fifo) const { return design().tries(number_, fifo); }
 
     void work(std::size_t sample) override {
+        if (design().is_idle(sample)) {
+            enter_no_loop();
+            return;
+        }
         exchange_buffers(static_cast<Token>(sample));
         std::vector<Token> const before = next_;
         for (Segment const& segment : process().program) {
@@ -62,6 +66,12 @@ class ChanceModule : public SampleModule {
             else
                 do_loop(segment);
         }
+    }
+
+    void enter_no_loop() {
+        for (Loop const& loop : process().loops)
+            if (loop.is_pipelined)
+                clock_.pipeline(loop.name, 0, [](std::uint64_t) {});
     }
 
     void tell_memory(std::size_t sample, Segment const& segment) {

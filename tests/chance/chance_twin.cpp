@@ -115,11 +115,15 @@ Program program_of(Design const& design, std::size_t number, std::size_t first, 
     Program program;
     Steps& steps = program.steps;
     std::size_t next = 0;  // step of the next iteration, of a process that rewinds
+    std::size_t busy = 0;  // samples that are not idle
     for (std::size_t sample = 0; sample < samples; ++sample) {
-        bool const goes_on = design.rewinds(process) && sample > 0;
+        bool const goes_on = design.rewinds(process) && busy > 0;
         std::size_t const begin = goes_on ? next : steps.size();
         if (!goes_on)
             steps.resize(begin + (sample == 0 || design.calls == CallOrder::in_turn ? process.starts : 0));
+        if (design.is_idle(first + sample))
+            continue;
+        ++busy;
         std::size_t const call = goes_on ? next : steps.size();
         for (Segment const& segment : process.program) {
             std::size_t at = goes_on ? next : steps.size();
@@ -128,8 +132,7 @@ Program program_of(Design const& design, std::size_t number, std::size_t first, 
             else if (segment.kind == Segment::Kind::step)
                 append_step(design, number, segment.step, steps);
             else if (segment.kind == Segment::Kind::rest)
-                append_rest(segment.step.front(), (sample + 1) * accesses_of(design, number, segment.step.front()),
-                            steps);
+                append_rest(segment.step.front(), busy * accesses_of(design, number, segment.step.front()), steps);
             else {
                 at += process.loops[segment.loop].entry;
                 next = append_loop(design, number, segment, at, steps);
@@ -464,6 +467,23 @@ void add_waits(Design const& design, std::size_t core, CoreSimulation const& sim
     }
 }
 
+/// An idle sample begins when the first process gets to what it does next, and ends when the last one is done with what
+/// it did before. `begin`, `end`: of the core's samples.
+void add_samples(Design const& design, CoreSimulation const& core, std::size_t begin, std::size_t end,
+                 Figures& figures) {
+    std::vector<Cycles> const& begins = core.processes.front().begins;
+    std::vector<Cycles> const& ends = core.processes.back().ends;
+    Cycles const starts = design.processes.back().starts;
+    std::size_t busy = 0;
+    for (std::size_t sample = begin; sample < end; ++sample) {
+        bool const starts_it_all = sample == begin && design.is_idle(sample);
+        Cycles const began = busy < begins.size() ? begins[busy] : core.processes.front().end;
+        busy += design.is_idle(sample) ? 0U : 1U;
+        Cycles const before = starts > 0 ? starts - 1 : 0;
+        figures.lines.push_back(sample_line(sample, starts_it_all ? 0 : began, busy > 0 ? ends[busy - 1] : before));
+    }
+}
+
 void add_tables(Design const& design, std::size_t core, CoreSimulation const& simulation, std::size_t samples,
                 Cycles total, Figures& figures) {
     for (std::size_t i = 0; i < design.fifos.size(); ++i) {
@@ -522,13 +542,11 @@ Figures simulated(Design const& design) {
         return figures;
     }
     figures.lines.push_back(fmt::format("total {}", total));
-    std::size_t sample = 0;
-    for (CoreSimulation const& core : cores)
-        for (std::size_t i = 0; i < core.processes.back().ends.size(); ++i)
-            figures.lines.push_back(
-                sample_line(sample++, core.processes.front().begins[i], core.processes.back().ends[i]));
+    std::size_t first = 0;
+    for (std::size_t core = 0; core < cores.size(); first += shares[core++])
+        add_samples(design, cores[core], first, first + shares[core], figures);
     for (std::size_t core = 0; core < cores.size(); ++core)
-        add_tables(design, core, cores[core], shares[core], total, figures);
+        add_tables(design, core, cores[core], cores[core].processes.front().begins.size(), total, figures);
     return figures;
 }
 

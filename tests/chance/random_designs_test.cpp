@@ -113,7 +113,9 @@ TEST_CASE("random designs that once did not agree do") {
           1795707857923UL, 1795694711143UL, 1795694733825UL, 1795695928553UL, 1795697282419UL,
           // with a pace
           770019UL, 770160UL, 770421UL, 770453UL, 90003708UL, 90004670UL, 1795732945919UL, 1795732948802UL, 930044UL,
-          128002782UL})
+          128002782UL,
+          // with calls that do nothing
+          438UL, 1594UL, 2782UL, 2980UL})
         check_seed(seed, count);
 }
 

@@ -3,6 +3,8 @@
 #include <map>
 #include <utility>
 
+#include "chance/chance_simulation.hpp"
+#include "chance/chance_twin.hpp"
 #include "chance/pair.hpp"
 #include "dataflow/tools/recording/event_merge.hpp"
 
@@ -40,6 +42,48 @@ TEST_CASE("calls of a loop that rewinds follow each other by its interval") {
         CHECK(outcome_of(pair, engine, none, nullptr, 3) == "38 13 25 37");
         CHECK(outcome_of(pair, engine, both, &none, 3) == "38 13 25 37");
         CHECK(outcome_of(pair, engine, none, &both, 3) == "34 13 23 33");
+    }
+}
+
+/// Calls of two modules that read and write two FIFOs in each of two iterations. The first and the third do nothing.
+Design calls_without_work() {
+    Design design;
+    design.processes.resize(2);
+    for (Process& process : design.processes) {
+        process.name = &process == design.processes.data() ? "writer" : "reader";
+        process.ends = {0, 1};
+        Loop loop;
+        loop.name = "work";
+        process.loops = {loop};
+        Segment segment;
+        segment.kind = Segment::Kind::loop;
+        segment.iterations = {{0, 1}, {0, 1}};
+        process.program = {segment};
+    }
+    for (Cycles const stage : {Cycles{3}, Cycles{2}}) {
+        Fifo fifo;
+        fifo.name = stage == 3 ? "late" : "early";
+        fifo.reader = 1;
+        fifo.write_stage = stage;
+        design.fifos.push_back(fifo);
+    }
+    Loop& loop = design.processes.front().loops.front();
+    loop.depth = 6;
+    loop.can_rewind = loop.rewinds = true;
+    design.samples = 4;
+    design.idle_samples = {true, false, true, false};
+    return design;
+}
+
+TEST_CASE("tokens of a call wait in a loop that rewinds for a call that has iterations") {
+    Design const design = calls_without_work();
+    std::vector<std::string> const expected = simulated(design).lines;
+    for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
+        Outcome const outcome = run_forked(design, design, engine, true, true);
+        CHECK(outcome.error == "");
+        for (Figures const* const figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
+            CHECK(figures->lines == expected);
+        CHECK(outcome.sized.has_value());
     }
 }
 

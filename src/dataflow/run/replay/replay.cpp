@@ -128,14 +128,43 @@ Cycles Replay::all_times() const {
     return sum;
 }
 
-/// All that samples so far want done has been logged. So what cannot be done now never will be, and what comes after it
-/// would only fill the memory. The supplier, which may be ahead, never has much of that.
+/// Processes that wait for each other round in a circle, and those that wait for them, do so for ever: what comes after
+/// that would only fill the memory. The supplier, which may be ahead, never has much of it. Who waits for somebody that
+/// only waits to be told more may go on with that: a loop that rewinds lets tokens of a call out in the next one.
 void Replay::find_stuck() {
     core_.resolve();
-    for (std::size_t i = 0; i < is_stuck_.size(); ++i)
-        is_stuck_[i] = i != supplier_ && !core_.processes()[i].log().exhausted();
-    auto const is_left = [](timing::ProcessTiming const& process) { return !process.log().exhausted(); };
-    is_over_ = std::all_of(core_.processes().begin(), core_.processes().end(), is_left);
+    std::vector<std::optional<std::size_t>> const awaited = awaited_processes();
+    std::vector<bool> waits;
+    for (auto const& other : awaited)
+        waits.push_back(other.has_value());
+    for (std::size_t i = 0; i < awaited.size();) {
+        bool const may_go_on = waits[i] && !waits[*awaited[i]];
+        waits[i] = waits[i] && !may_go_on;
+        i = may_go_on ? 0 : i + 1;
+    }
+    is_over_ = std::find(waits.begin(), waits.end(), false) == waits.end();
+    is_stuck_ = std::move(waits);
+    if (supplier_ < is_stuck_.size())
+        is_stuck_[supplier_] = false;
+}
+
+/// By process: for whom it waits, if it does; for itself if nobody is there.
+std::vector<std::optional<std::size_t>> Replay::awaited_processes() {
+    std::vector<std::optional<std::size_t>> awaited;
+    for (unsigned i = 0; i < is_stuck_.size(); ++i) {
+        using Status = timing::ProcessTiming::Status;
+        timing::ProcessTiming& process = core_.process(i);
+        Status const status = process.front();
+        if (status == Status::ready || process.finished()) {
+            awaited.push_back(std::nullopt);
+            continue;
+        }
+        unsigned const port = status == Status::blocked ? process.blocking_port() : process.flushing_port();
+        timing::CoreTiming::Ends const& ends = core_.ends(i, port);
+        int const other = process.writes(port) ? ends.reader : ends.writer;
+        awaited.push_back(other < 0 ? i : static_cast<std::size_t>(other));
+    }
+    return awaited;
 }
 
 }  // namespace dataflow::replay

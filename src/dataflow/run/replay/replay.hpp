@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "dataflow/base/core_share.hpp"
@@ -43,6 +44,7 @@ class Replay {
     std::size_t backlog();
     Cycles all_times() const;
     void find_stuck();
+    std::vector<std::optional<std::size_t>> awaited_processes();
 
     ScriptSource const& source_;
     Plain plain_;

@@ -166,6 +166,57 @@ TEST_CASE("a design with a port to the external memory has the keys of the memor
         "each other");
 }
 
+/// A module whose parts depend on a number.
+class Growing : public SimpleDesign {
+  public:
+    using Describe = std::function<void(ModuleDescription& module, std::uint64_t stages)>;
+    explicit Growing(Describe describe)
+        : SimpleDesign({"growing", {{"workload.stages", 2, "Two or three."}}, {}}), describe_(std::move(describe)) {}
+
+    std::string complaint_with(std::uint64_t stages) const {
+        Numbers numbers;
+        numbers.of("workload.samples") = 1;
+        numbers.of("workload.stages") = stages;
+        return input_error_text([&] { described(numbers); });
+    }
+
+  private:
+    CoreDescription describe(Numbers const& numbers) const override {
+        ModuleDescription module("writer");
+        module.loop("send").of_depth(2);
+        describe_(module, numbers["workload.stages"]);
+        return core_of({module});
+    }
+
+    Describe describe_;
+};
+
+TEST_CASE("a part that only some numbers add has no keys", "[machine]") {
+    auto const complaint = [](char const* key) {
+        return std::string("with workload.stages = 3 the design has a part with the key ") + key +
+               ", which it does not have with the defaults of its numbers, expected describe() to have all parts "
+               "always, with only_if() where a number decides whether one is there";
+    };
+    Growing const loop([](ModuleDescription& module, std::uint64_t stages) {
+        if (stages == 3)
+            module.loop("late").of_depth(2);
+    });
+    CHECK(loop.complaint_with(2) == "(no error)");
+    CHECK(loop.complaint_with(3) == complaint("accelerator.loops.writer.late.ii"));
+    Growing const port([](ModuleDescription& module, std::uint64_t stages) {
+        if (stages == 3)
+            module.stores("out");
+    });
+    CHECK(port.complaint_with(3) == complaint("accelerator.memory.model"));
+    Growing const conditional([](ModuleDescription& module, std::uint64_t stages) {
+        module.loop("late").of_depth(2).only_if({stages == 3, "workload.stages"});
+    });
+    CHECK(conditional.complaint_with(3) == "(no error)");
+    Growing const deeper(
+        [](ModuleDescription& module, std::uint64_t stages) { module.loops.front().of_depth(stages); });
+    CHECK(deeper.complaint_with(3) == "(no error)");
+}
+
 TEST_CASE("a number of a design has no name of another key", "[machine]") {
     for (char const* const name : {"workload.samples", "accelerator.cores", "accelerator.clock_mhz"})
         CHECK_THAT(input_error_text([name] {

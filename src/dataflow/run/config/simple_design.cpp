@@ -88,8 +88,10 @@ std::unique_ptr<DesignConfig> SimpleDesign::default_config() const {
     return std::make_unique<SimpleConfig>(defaults());
 }
 
+std::vector<Key> SimpleDesign::keys() const { return keys_of(describe(defaults().numbers)); }
+
 /// Keys of one section have to stand together.
-std::vector<Key> SimpleDesign::keys() const {
+std::vector<Key> SimpleDesign::keys_of(CoreDescription core) const {
     Keys keys;
     auto const add_numbers = [&](bool of_accelerator) {
         for (DesignNumber const& number : facts_.numbers)
@@ -101,7 +103,6 @@ std::vector<Key> SimpleDesign::keys() const {
     keys.push_back(clock_key(facts_.name));
     keys.push_back(fifo_rules_key());
     add_numbers(true);
-    CoreDescription core = describe(defaults().numbers);
     check_design(core);
     require_plain_streams(core);
     if (uses_memory(core))
@@ -112,6 +113,31 @@ std::vector<Key> SimpleDesign::keys() const {
     for (Key& key : machine_keys(core))
         keys.push_back(std::move(key));
     return keys;
+}
+
+CoreDescription SimpleDesign::described(Numbers const& numbers) const {
+    CoreDescription core = describe(numbers);
+    if (std::string const changed = changed_numbers(numbers); !changed.empty())
+        require_keys(core, changed);
+    return core;
+}
+
+/// Those that have not their defaults.
+std::string SimpleDesign::changed_numbers(Numbers const& numbers) const {
+    std::string changed;
+    for (DesignNumber const& number : facts_.numbers)
+        if (numbers.of(number.key) != number.otherwise)
+            changed += (changed.empty() ? "" : ", ") + number.key + " = " + std::to_string(numbers.of(number.key));
+    return changed;
+}
+
+void SimpleDesign::require_keys(CoreDescription const& core, std::string const& changed) const {
+    Keys const known = keys();
+    for (Key const& key : keys_of(core))
+        if (std::none_of(known.begin(), known.end(), [&](Key const& one) { return one.name() == key.name(); }))
+            throw InputError("with " + changed + " the design has a part with the key " + key.name() +
+                             ", which it does not have with the defaults of its numbers, expected describe() to have "
+                             "all parts always, with only_if() where a number decides whether one is there");
 }
 
 std::vector<std::string> SimpleDesign::complaints(LoadedConfig const& loaded) const {

@@ -38,12 +38,13 @@ class DataflowAccelerator : public sc_core::sc_module {
     void limit_to(std::size_t first, std::size_t end);
     /// Lets simulated time pass until nothing moves any more.
     void run();
-    /// Gives the run up, from inside a process of it. The kernel pauses between two delta cycles, and all of a run of
-    /// `decoupled` may be one: the process waits, so that this one ends.
+    /// Gives the run up, from inside it. The kernel pauses between two delta cycles, and all of a run of `decoupled`
+    /// may be one: so modules begin no further sample.
     void leave() {
         is_left_ = true;
+        for (auto const& core : cores_)
+            core->leave();
         sc_core::sc_pause();
-        sc_core::wait(sc_core::SC_ZERO_TIME);
     }
     bool is_left() const { return is_left_; }
 

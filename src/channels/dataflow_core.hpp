@@ -99,6 +99,10 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     WriteDistances* write_distances(std::size_t process, std::string_view loop, std::string_view memory);
     std::vector<DependenceStatistics> dependences() const;
 
+    /// Its modules begin no further sample.
+    void leave() { is_left_ = true; }
+    bool is_left() const { return is_left_; }
+
     /// Calls back after every sample.
     void set_progress(std::function<void()> progress) { progress_ = std::move(progress); }
     /// Calls back when the core is wired up and nothing has happened yet.
@@ -211,6 +215,7 @@ class DataflowCore : public sc_core::sc_module, public recording::RunningCore {
     std::vector<sc_core::sc_process_b const*> threads_;  // by process, once it has begun a sample
     DataflowCore const* before_ = nullptr;               // whose turn is before
     bool is_turn_over_;
+    bool is_left_ = false;
     sc_core::sc_event turn_ends_{"turn_ends"};
 };
 

@@ -29,7 +29,7 @@ void SampleModule::run() {
 
 void SampleModule::work_on_all() {
     std::size_t const number = clock_.timing().index();
-    for (std::size_t i = 0; i < core_.share().count; ++i) {
+    for (std::size_t i = 0; i < core_.share().count && !core_.is_left(); ++i) {
         clock_.begin_sample();
         clock_.begin_region();
         if (number == core_.machine().begins && number != core_.machine().ends)

@@ -299,7 +299,7 @@ TEST_CASE("The page shows the samples that are asked for besides those that stan
     auto const some = samples_with({"--set", "workload.samples.count=7", "--report-samples", "1-2,6"});
     CHECK((some.count(1) == 1 && some.count(2) == 1 && some.count(6) == 1));
     fs::remove(workspace.folder() / "report.html");
-    check_refused(workspace, {"--report", "r.html", "--report-samples", "3"}, "--report-samples 3: expected numbers");
+    check_refused(workspace, {"--report", "r.html", "--report-samples", "3"}, "--report-samples 3: expected a number");
     check_refused(workspace, {"--report", "r.html", "--report-samples", "0-x"}, "--report-samples 0-x: expected");
     check_refused(workspace, {"--report", "r.html", "--report-samples", "all", "--set", "workload.samples.count=1001"},
                   "--report-samples all: 1001 samples, expected at most 1000");

@@ -166,7 +166,7 @@ std::vector<std::size_t> parse_numbers(char const* option, std::string const& te
     for (std::size_t begin = 0; begin <= text.size();) {
         std::size_t const comma = std::min(text.find(',', begin), text.size());
         auto const range =
-            parse_range(option, text.substr(begin, comma - begin), end, "numbers and ranges such as 0,2-4");
+            parse_range(option, text.substr(begin, comma - begin), end, "a number, or several such as 0,2-4");
         for (std::size_t number = range.first; number <= range.last; ++number)
             numbers.push_back(number);
         begin = comma + 1;

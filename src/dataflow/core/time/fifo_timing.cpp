@@ -1,6 +1,5 @@
 #include "dataflow/core/time/fifo_timing.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 namespace dataflow::timing {
@@ -42,8 +41,6 @@ void FifoTiming::make_room() {
 }
 
 void FifoTiming::keep_more() {
-    if (!is_unlimited())
-        throw std::logic_error(name() + ": only an unlimited FIFO keeps more");
     rules_.room = 2 * rules_.room + 1;
     rules_.readable.grow();
     rules_.free.grow();

@@ -1,5 +1,6 @@
 #include "dataflow/core/time/fifo_timing.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace dataflow::timing {
@@ -41,6 +42,8 @@ void FifoTiming::make_room() {
 }
 
 void FifoTiming::keep_more() {
+    if (!is_unlimited())
+        throw std::logic_error(name() + ": only an unlimited FIFO keeps more");
     rules_.room = 2 * rules_.room + 1;
     rules_.readable.grow();
     rules_.free.grow();

@@ -174,8 +174,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     }
     /// Nor does any stamp to come note one before this.
     Cycles stamps_from() const {
-        Cycles const begin = state_.rests ? state_.time - plan_->fill : state_.time;
-        Cycles const cycle = std::min(not_before(), begin);
+        Cycles const cycle = std::min(not_before(), state_.rests ? state_.time - plan_->fill : state_.time);
         return cycle - std::min(cycle, shape_->stamps_back);
     }
     /// The first cycle in which it has nothing to do any more, of what is known.

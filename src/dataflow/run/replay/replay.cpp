@@ -134,9 +134,9 @@ Cycles Replay::all_times() const {
 void Replay::find_stuck() {
     core_.resolve();
     std::vector<std::optional<std::size_t>> const awaited = awaited_processes();
-    std::vector<bool> waits;
-    for (auto const& other : awaited)
-        waits.push_back(other.has_value());
+    std::vector<bool> waits(awaited.size());
+    for (std::size_t i = 0; i < awaited.size(); ++i)
+        waits[i] = awaited[i].has_value();
     for (std::size_t i = 0; i < awaited.size();) {
         bool const may_go_on = waits[i] && !waits[*awaited[i]];
         waits[i] = waits[i] && !may_go_on;
@@ -156,13 +156,13 @@ std::vector<std::optional<std::size_t>> Replay::awaited_processes() {
         timing::ProcessTiming& process = core_.process(i);
         Status const status = process.front();
         if (status == Status::ready || process.finished()) {
-            awaited.push_back(std::nullopt);
+            awaited.emplace_back();
             continue;
         }
         unsigned const port = status == Status::blocked ? process.blocking_port() : process.flushing_port();
         timing::CoreTiming::Ends const& ends = core_.ends(i, port);
         int const other = process.writes(port) ? ends.reader : ends.writer;
-        awaited.push_back(other < 0 ? i : static_cast<std::size_t>(other));
+        awaited.emplace_back(other < 0 ? i : static_cast<std::size_t>(other));
     }
     return awaited;
 }

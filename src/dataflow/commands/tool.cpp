@@ -97,7 +97,7 @@ class Tool {
 
     /// As the parser says it, but for a flag that is given a value.
     static std::string text_of(CLI::ParseError const& error) {
-        std::string const text = error.what();
+        std::string text = error.what();
         std::size_t const end = text.find(" was given a disallowed flag override");
         if (end == std::string::npos)
             return text;

@@ -177,7 +177,7 @@ class Growing : public SimpleDesign {
         Numbers numbers;
         numbers.of("workload.samples") = 1;
         numbers.of("workload.stages") = stages;
-        return input_error_text([&] { described(numbers); });
+        return input_error_text([&] { require_keys(numbers); });
     }
 
   private:

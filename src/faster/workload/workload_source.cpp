@@ -34,8 +34,7 @@ std::string unset_camera_warning(LoadedConfig const& loaded) {
     Camera const& camera = workload.camera;
     return fmt::format(
         "workload.scene.depth_image = {}: no key says which camera took it, and the default one is taken (fx {:g}, fy "
-        "{:g}, "
-        "cx {:g}, cy {:g}); expected workload.camera.fx, fy, cx and cy",
+        "{:g}, cx {:g}, cy {:g}); expected workload.camera.fx, fy, cx and cy",
         workload.scene.depth_image, camera.fx, camera.fy, camera.cx, camera.cy);
 }
 

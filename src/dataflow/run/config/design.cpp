@@ -6,6 +6,7 @@
 
 namespace dataflow {
 
+void Design::require_keys_of_parts(RunConfig const& /*config*/) const {}
 std::vector<std::string> Design::complaints(LoadedConfig const& /*loaded*/) const { return {}; }
 
 std::string Design::workload_table() const { return {}; }

@@ -26,6 +26,8 @@ class Design {
     virtual std::vector<Key> keys() const = 0;
     /// A core of a configuration: its modules, and the FIFOs that join them.
     virtual CoreDescription core(RunConfig const& config) const = 0;
+    /// Once a configuration has been read, before its core is looked at. Errors: InputError for a part without keys.
+    virtual void require_keys_of_parts(RunConfig const& config) const;
     /// What no key can say on its own, ready to print. The machine's own checks are made besides.
     virtual std::vector<std::string> complaints(LoadedConfig const& loaded) const;
     /// Keys that mean nothing in a configuration. Those of parts of the machine that are not there are known besides.

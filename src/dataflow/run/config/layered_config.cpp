@@ -1,6 +1,7 @@
 #include "dataflow/run/config/layered_config.hpp"
 
 #include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/design.hpp"
 #include "dataflow/run/config/key_faults.hpp"
 #include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/keys.hpp"
@@ -37,6 +38,7 @@ LoadedConfig layered_config(Files const& files, std::vector<std::string> const& 
         complaints = apply_all(files, overrides, loaded);
     }
     throw_first(complaints);
+    design().require_keys_of_parts(loaded.config);
     throw_first(cross_check(loaded));
     return loaded;
 }

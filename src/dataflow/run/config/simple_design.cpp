@@ -115,13 +115,6 @@ std::vector<Key> SimpleDesign::keys_of(CoreDescription core) const {
     return keys;
 }
 
-CoreDescription SimpleDesign::described(Numbers const& numbers) const {
-    CoreDescription core = describe(numbers);
-    if (std::string const changed = changed_numbers(numbers); !changed.empty())
-        require_keys(core, changed);
-    return core;
-}
-
 /// Those that have not their defaults.
 std::string SimpleDesign::changed_numbers(Numbers const& numbers) const {
     std::string changed;
@@ -131,9 +124,12 @@ std::string SimpleDesign::changed_numbers(Numbers const& numbers) const {
     return changed;
 }
 
-void SimpleDesign::require_keys(CoreDescription const& core, std::string const& changed) const {
+void SimpleDesign::require_keys(Numbers const& numbers) const {
+    std::string const changed = changed_numbers(numbers);
+    if (changed.empty())
+        return;
     Keys const known = keys();
-    for (Key const& key : keys_of(core))
+    for (Key const& key : keys_of(describe(numbers)))
         if (std::none_of(known.begin(), known.end(), [&](Key const& one) { return one.name() == key.name(); }))
             throw InputError("with " + changed + " the design has a part with the key " + key.name() +
                              ", which it does not have with the defaults of its numbers, expected describe() to have "

@@ -57,8 +57,9 @@ class SimpleDesign : public Design {
     std::unique_ptr<DesignConfig> default_config() const override;
     std::vector<Key> keys() const override;
     CoreDescription core(RunConfig const& config) const override {
-        return with_calls(described(numbers_of(config)), config.machine());
+        return with_calls(describe(numbers_of(config)), config.machine());
     }
+    void require_keys_of_parts(RunConfig const& config) const override { require_keys(numbers_of(config)); }
     std::vector<std::string> complaints(LoadedConfig const& loaded) const override;
     std::string why_not_retimable(std::string const& key) const override;
     std::vector<ColumnFacts> const& counters() const override { return facts_.counters; }
@@ -70,13 +71,12 @@ class SimpleDesign : public Design {
     /// described always, with `only_if({numbers["workload.stages"] == 3, "workload.stages"})`.
     virtual CoreDescription describe(Numbers const& numbers) const = 0;
     /// Errors: InputError if those numbers add a part that has no keys.
-    CoreDescription described(Numbers const& numbers) const;
+    void require_keys(Numbers const& numbers) const;
 
   private:
     SimpleConfig defaults() const;
     std::vector<Key> keys_of(CoreDescription core) const;
     std::string changed_numbers(Numbers const& numbers) const;
-    void require_keys(CoreDescription const& core, std::string const& changed) const;
 
     SimpleFacts facts_;
 };

@@ -1,5 +1,6 @@
 #include "dataflow/toy_design.hpp"
 
+#include "dataflow/base/input_error.hpp"
 #include "dataflow/run/config/machine_keys.hpp"
 #include "faster/dataflow_names.hpp"
 
@@ -65,6 +66,10 @@ class ToyDesign final : public Design {
         return keys;
     }
     CoreDescription core(RunConfig const& config) const override { return describe_toy(config.as<ToyConfig>()); }
+    void require_keys_of_parts(RunConfig const& config) const override {
+        if (config.as<ToyConfig>().rows == 1000)
+            throw InputError("the thousandth row has no keys");
+    }
     std::vector<ColumnFacts> const& counters() const override {
         static std::vector<ColumnFacts> const one{{"found", "rows", Tells::result, "rows that were found"}};
         return one;

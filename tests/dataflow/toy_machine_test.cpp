@@ -267,6 +267,15 @@ TEST_CASE("A file and overrides configure the toy", "[config]") {
     CHECK(machine.memories[0].words == 32 * 4);
 }
 
+TEST_CASE("A design looks for parts without keys when a configuration has been read, before other checks",
+          "[machine]") {
+    std::string const refusal = "the thousandth row has no keys";
+    CHECK(set_error("toy.rows=1000") == refusal);
+    CHECK(input_error_text([] { loaded("toy: {rows: 1000}\naccelerator: {fifos: {answer: {write_latency: 9}}}\n"); }) ==
+          refusal);
+    CHECK(set_error("toy.rows=999") == "(no error)");
+}
+
 TEST_CASE("What contradicts itself in any machine is refused", "[config][errors]") {
     CHECK(set_error("accelerator.fifos.answer.write_latency=5") ==
           "--set accelerator.fifos.answer.write_latency=5: expected at most 4, one less than "

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 
-#include "dataflow/run/config/enum_names.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "dataflow/run/config/keys.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/run/figures/column_values.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
@@ -267,8 +268,8 @@ Cells path_cells(RunStatistics const& run) {
     for (PathRow const& row : run.critical_path->rows) {
         std::string const loop = row.loop ? loop_ids.at(*row.loop).name : "outside loops";
         std::string const item = row.fifo ? fifo_ids.at(*row.fifo).name : row.bram;
-        cells.at(std::string(module_ids.at(row.module).name) + ", " + loop + ", " + name_of(row.cause) + " " + item +
-                 ", ");
+        cells.at(std::string(module_ids.at(row.module).name) + ", " + loop + ", " +
+                 std::string(enumerator_name(row.cause)) + " " + item + ", ");
         cells.add("cycles", row.cycles);
         cells.add("crossings", row.crossings);
     }

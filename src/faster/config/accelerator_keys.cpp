@@ -1,8 +1,8 @@
 #include <limits>
 
+#include "dataflow/run/config/choice_names.hpp"
 #include "dataflow/run/config/external_memory_keys.hpp"
 #include "dataflow/run/config/machine_keys.hpp"
-#include "faster/config/enum_names.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/config/faster_keys.hpp"
 #include "faster/dataflow_names.hpp"

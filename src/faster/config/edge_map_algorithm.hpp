@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "dataflow/base/cycles.hpp"
-#include "dataflow/base/enum_size.hpp"
+#include "dataflow/base/enumerators.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace faster {
@@ -39,7 +39,6 @@ constexpr std::uint64_t write_vertical = 8;
 /// Source: thesis chapter 5, 4.1.2, 7.2 and A.2; docs/variants.md tells how each number comes about.
 struct EdgeMapDesign {
     EdgeMapAlgorithm algorithm;
-    char const* name;        ///< as the key is written
     bool contour_on_object;  ///< contour pixels are covered; otherwise they lie just outside
     PerMap bits;             ///< per pixel of the window; 0: there is no such map
     PerMap clear;            ///< what an iteration of edge_map_builder.clear does,
@@ -55,7 +54,6 @@ struct EdgeMapDesign {
 
 constexpr std::array edge_map_designs{
     EdgeMapDesign{EdgeMapAlgorithm::threshold,
-                  "threshold",
                   false,
                   {2, 0},
                   {map_touch::write_own, 0},
@@ -65,7 +63,6 @@ constexpr std::array edge_map_designs{
                   {},
                   2},
     EdgeMapDesign{EdgeMapAlgorithm::transition,
-                  "transition",
                   false,
                   {2, 0},
                   {map_touch::write_own, 0},
@@ -75,7 +72,6 @@ constexpr std::array edge_map_designs{
                   {},
                   2},
     EdgeMapDesign{EdgeMapAlgorithm::bounded,
-                  "bounded",
                   false,
                   {2, 0},
                   {map_touch::write_own, 0},
@@ -85,7 +81,6 @@ constexpr std::array edge_map_designs{
                   {},
                   2},
     EdgeMapDesign{EdgeMapAlgorithm::dual_map,
-                  "dual_map",
                   false,
                   {1, 1},
                   {map_touch::write_own, map_touch::write_own},
@@ -95,7 +90,6 @@ constexpr std::array edge_map_designs{
                   {map_touch::write_vertical, map_touch::write_own},
                   1},
     EdgeMapDesign{EdgeMapAlgorithm::dual_map_4_1_2,
-                  "dual_map_4_1_2",
                   false,
                   {1, 1},
                   {map_touch::write_own, map_touch::write_own},
@@ -105,7 +99,6 @@ constexpr std::array edge_map_designs{
                   {map_touch::write_vertical, 0},
                   1},
     EdgeMapDesign{EdgeMapAlgorithm::inner_border,
-                  "inner_border",
                   true,
                   {0, 1},
                   {0, map_touch::write_own},

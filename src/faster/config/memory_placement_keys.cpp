@@ -1,6 +1,6 @@
 
+#include "dataflow/run/config/choice_names.hpp"
 #include "dataflow/run/config/key_builders.hpp"
-#include "faster/config/enum_names.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/config/faster_keys.hpp"
 #include "faster/dataflow_names.hpp"

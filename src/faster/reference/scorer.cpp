@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/reference/edge_extraction.hpp"
@@ -137,8 +138,9 @@ SampleCounters Scorer::run(std::size_t sample) {
         case EdgeMapAlgorithm::dual_map:
             return run_with<DualMap>(sample, TransitionTokens());
         default:  // of a design that is being tried
-            throw InputError(std::string("accelerator.edge_map.algorithm = ") + design_of(edge_map_.algorithm).name +
-                             ", which the reference does not build");
+            throw InputError(
+                "accelerator.edge_map.algorithm = " + std::string(dataflow::enumerator_name(edge_map_.algorithm)) +
+                ", which the reference does not build");
     }
 }
 

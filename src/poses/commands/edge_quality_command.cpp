@@ -15,7 +15,7 @@
 #include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
-#include "faster/config/enum_names.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "faster/workload/models/builtin_models.hpp"

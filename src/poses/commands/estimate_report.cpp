@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/run/config/key_value.hpp"
 #include "faster/dataflow_names.hpp"
 
@@ -117,18 +118,6 @@ Json keys_json(std::vector<ResolvedKey> const& keys) {
 
 }  // namespace
 
-char const* name_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::weak:
-            return "weak";
-        case Verdict::no_readings:
-            return "no_readings";
-        case Verdict::found:
-            break;
-    }
-    return "found";
-}
-
 std::optional<double> EstimateReport::total_ms() const {
     double total = refine_ms;
     for (IterationRow const& row : iterations) {
@@ -201,7 +190,7 @@ std::string estimate_json(EstimateReport const& report) {
     json["samples"] = report.samples;
     json["seed"] = report.seed;
     json["boxes"] = boxes_json(report.boxes);
-    json["verdict"] = name_of(report.verdict);
+    json["verdict"] = enumerator_name(report.verdict);
     json["pose"] = pose_json(report.pose);
     json["weight"] = report.weight;
     json["runs"] = report.runs;

@@ -44,9 +44,6 @@ enum class Verdict {
     no_readings,  ///< the depth camera saw nothing in the box
 };
 
-/// As files have it.
-char const* name_of(Verdict verdict);
-
 /// All that an estimate has to tell.
 struct EstimateReport {
     std::string object;

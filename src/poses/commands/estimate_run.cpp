@@ -11,7 +11,7 @@
 #include "dataflow/base/portable_math.hpp"
 #include "dataflow/commands/options.hpp"
 #include "dataflow/commands/progress_line.hpp"
-#include "faster/config/enum_names.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/workload/build_stimulus.hpp"
 #include "faster/workload/files/png_image.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "dataflow/base/on_threads.hpp"
-#include "faster/config/enum_names.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/build_stimulus.hpp"

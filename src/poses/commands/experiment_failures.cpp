@@ -119,8 +119,8 @@ std::string label_of(Failure const& failure) {
     bool const is_turned = failure.reason == FailureReason::symmetry || failure.reason == FailureReason::turned;
     return fmt::format("{} {}/{}: {}{:.0f} mm, {} {:.2f}/{:.2f}", failure.wanted->method->name,
                        failure.wanted->target.image.im_id, failure.wanted->target.obj_id, is_turned ? "ADD " : "",
-                       is_turned ? failure.add_mm : failure.adds_mm, failure.reason_name(), failure.result->weight,
-                       failure.result->truth_weight);
+                       is_turned ? failure.add_mm : failure.adds_mm, enumerator_name(failure.reason),
+                       failure.result->weight, failure.result->truth_weight);
 }
 
 constexpr double wrong_m = 0.02;
@@ -255,11 +255,11 @@ std::string failures_csv(std::vector<Failure> const& failures) {
         "setting,method,scene_id,im_id,obj_id,visible_share,weight,truth_weight,add_mm,adds_mm,mssd_mm,reason\n";
     for (Failure const& each : failures) {
         WantedEstimate const& wanted = *each.wanted;
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{:.4f},{:.4f},{:.4f},{}\n",
-                       wanted.setting->name, wanted.method->name, wanted.target.image.scene_id,
-                       wanted.target.image.im_id, wanted.target.obj_id,
-                       each.visible_share ? fmt::format("{:.4f}", *each.visible_share) : "", each.result->weight,
-                       each.result->truth_weight, each.add_mm, each.adds_mm, each.mssd_mm, each.reason_name());
+        fmt::format_to(
+            std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{:.4f},{:.4f},{:.4f},{}\n", wanted.setting->name,
+            wanted.method->name, wanted.target.image.scene_id, wanted.target.image.im_id, wanted.target.obj_id,
+            each.visible_share ? fmt::format("{:.4f}", *each.visible_share) : "", each.result->weight,
+            each.result->truth_weight, each.add_mm, each.adds_mm, each.mssd_mm, enumerator_name(each.reason));
     }
     return text;
 }
@@ -267,14 +267,14 @@ std::string failures_csv(std::vector<Failure> const& failures) {
 std::string failures_table(std::vector<Failure> const& failures, std::vector<SettingData> const& settings,
                            std::vector<MethodData> const& methods) {
     std::string text = "| setting | method |", rule = "\n| --- | --- |";
-    for (char const* const reason : failure_reasons) {
+    for (std::string_view const reason : enumerator_names<FailureReason>) {
         text += fmt::format(" {} |", reason);
         rule += " --- |";
     }
     text += rule + "\n";
     for (SettingData const& setting : settings)
         for (MethodData const& method : methods) {
-            std::array<std::size_t, failure_reasons.size()> counts{};
+            std::array<std::size_t, enum_size<FailureReason>()> counts{};
             for (Failure const& each : failures)
                 if (each.wanted->setting == &setting && each.wanted->method == &method)
                     ++counts[static_cast<std::size_t>(each.reason)];

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -7,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "dataflow/base/enum_size.hpp"
+#include "dataflow/base/enumerators.hpp"
 #include "faster/data/image.hpp"
 #include "faster/workload/pictures/colour.hpp"
 #include "poses/commands/estimate_report.hpp"
@@ -26,8 +25,6 @@ enum class FailureReason {
     score,     ///< the estimate weighs no less than the true pose
     search,    ///< the true pose weighs more, and no sample found it
 };
-constexpr std::array failure_reasons{"box", "size", "hidden", "symmetry", "turned", "score", "search"};
-static_assert(failure_reasons.size() == dataflow::enum_size<FailureReason>(), "every reason has a name");
 
 /// An estimate with an ADD of 2 cm or more.
 struct Failure {
@@ -38,8 +35,6 @@ struct Failure {
     double mssd_mm = 0;
     std::optional<double> visible_share;  ///< of the nearest true pose
     FailureReason reason = FailureReason::search;
-
-    char const* reason_name() const { return failure_reasons[static_cast<std::size_t>(reason)]; }
 };
 
 /// Distances of an estimate from the truth [m] (docs/poses.md#errors).

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "dataflow/base/random.hpp"
-#include "faster/config/enum_names.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "faster/data/stimulus.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/reference/scorer.hpp"

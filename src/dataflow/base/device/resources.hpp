@@ -38,7 +38,6 @@ enum class ResourceBasis {
     counted,       ///< by hand, from widths and primitives
     unknown,       ///< nobody has said, and nothing is added
 };
-std::string_view name_of(ResourceBasis basis);
 
 /// A part of a core, or of what is beside the cores.
 struct ResourcePart {

@@ -3,7 +3,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "dataflow/run/config/enum_names.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "dataflow/run/config/key.hpp"
 
 namespace dataflow {

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,11 +18,6 @@ enum class PathCause : std::size_t {
     backpressure,   ///< a token that was waited for has been read: its place in the FIFO is free a cycle later
     memory,         ///< the external memory has not brought what comes next, whoever keeps it busy
 };
-constexpr std::size_t path_cause_count = 8;
-constexpr std::array<char const*, path_cause_count> path_cause_names{
-    "busy", "fill_drain", "setup", "port_conflict", "recurrence", "read_latency", "backpressure", "memory"};
-
-inline char const* name_of(PathCause cause) { return path_cause_names[static_cast<std::size_t>(cause)]; }
 
 /// Cycles of the critical path that go into one thing.
 struct PathRow {

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <functional>
 
-#include "dataflow/base/enum_size.hpp"
+#include "dataflow/base/enumerators.hpp"
 
 namespace dataflow {
 
 static_assert(cycle_class_count == enum_size<CycleClass>(), "every class of cycles has a name and a meaning");
-static_assert(path_cause_count == enum_size<PathCause>() && path_cause_names.back() != nullptr,
-              "every cause has a name");
 
 Cycles RunStatistics::deadlock_cycle() const {
     Cycles latest = 0;

@@ -2,23 +2,12 @@
 
 #include <algorithm>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/integer_bits.hpp"
 
 namespace dataflow {
 
 namespace {
-
-char const* kind_name(FifoKind kind) {
-    switch (kind) {
-        case FifoKind::automatic:
-            return "auto";
-        case FifoKind::shift_register:
-            return "shift_register";
-        case FifoKind::memory:
-            return "memory";
-    }
-    return "";
-}
 
 Cycles port_conflict_cycles(CoreStatistics const& core, std::string const& bram) {
     Cycles conflicts = 0;
@@ -73,7 +62,7 @@ std::vector<FifoRow> fifo_rows(RunStatistics const& run) {
     for (std::size_t core = 0; core < run.cores.size(); ++core)
         for (std::size_t const i : fifos_of(run.machine)) {
             FifoStatistics const& fifo = run.cores[core].fifos[i];
-            rows.push_back({fifo, core, run.machine.fifos[i].name, kind_name(fifo.kind)});
+            rows.push_back({fifo, core, run.machine.fifos[i].name, std::string(enumerator_name(fifo.kind))});
         }
     return rows;
 }

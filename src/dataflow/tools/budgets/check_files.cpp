@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/json.hpp"
 #include "dataflow/base/markup_text.hpp"
@@ -79,7 +80,7 @@ Json budget_row(CheckResult const& result) {
                               : Json{{"date", result.baseline_date}, {"reason", result.baseline_reason}};
     return {{"name", result.name},
             {"file", result.file},
-            {"status", name_of(result.status)},
+            {"status", enumerator_name(result.status)},
             {"message", result.message},
             {"limits", limits},
             {"baseline", baseline},
@@ -151,7 +152,7 @@ std::string simulation_case(CheckResult const& result, std::string const& name) 
     return fmt::format(
         "    <testcase classname=\"{}\" name=\"simulation\" time=\"{:.3f}\">\n"
         "      <{} type=\"{}\" message=\"{}\">{}</{}>\n    </testcase>\n",
-        xml_text(name), result.seconds, tag, name_of(result.status),
+        xml_text(name), result.seconds, tag, enumerator_name(result.status),
         xml_text(result.message.substr(0, result.message.find('\n'))), xml_text(text), tag);
 }
 

@@ -52,7 +52,4 @@ struct CheckResult {
     bool is_failure() const { return status != Status::passed; }
 };
 
-/// "passed", "breached", ...
-char const* name_of(CheckResult::Status status);
-
 }  // namespace dataflow::budgets

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/tools/budgets/figures.hpp"
 
@@ -146,7 +147,7 @@ std::string explanation_text(Explanation const& explanation, std::size_t top) {
 
 std::string check_text(CheckResult const& result) {
     std::string text;
-    line(text, "{}: {}", result.file, result.is_failure() ? name_of(result.status) : "passed");
+    line(text, "{}: {}", result.file, result.is_failure() ? enumerator_name(result.status) : "passed");
     if (!result.updated.empty())
         line(text, "  {}", result.updated);
     if (!result.verdicts.empty())
@@ -168,7 +169,7 @@ std::string totals_text(std::vector<CheckResult> const& results) {
         auto const count = std::count_if(results.begin(), results.end(),
                                          [status](CheckResult const& result) { return result.status == status; });
         if (count > 0)
-            text += fmt::format("{}{} {}", separator, count, name_of(status));
+            text += fmt::format("{}{} {}", separator, count, enumerator_name(status));
         separator = count > 0 ? ", " : separator;
     }
     return text + "\n";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/grouped_digits.hpp"
 
 namespace dataflow::report {
@@ -21,7 +22,7 @@ std::string loop_of(Machine const& machine, PathRow const& row) {
 void add_line(std::string& text, RunStatistics const& run, PathRow const& row) {
     Machine const& machine = run.machine;
     std::string const item = item_of(machine, row);
-    std::string const cause = std::string(name_of(row.cause)) + (item.empty() ? "" : " " + item);
+    std::string const cause = std::string(enumerator_name(row.cause)) + (item.empty() ? "" : " " + item);
     std::string const place =
         machine.processes[row.module].name + (row.loop ? "." + loop_of(machine, row) : std::string());
     fmt::format_to(std::back_inserter(text), "  {:<27} {:<28} {:>13} {:>7.2f}\n", place, cause, grouped(row.cycles),
@@ -54,7 +55,7 @@ Json critical_path_json(RunStatistics const& run) {
     for (PathRow const& row : run.critical_path->rows)
         rows.push_back({{"module", run.machine.processes[row.module].name},
                         {"loop", loop_of(run.machine, row)},
-                        {"cause", name_of(row.cause)},
+                        {"cause", enumerator_name(row.cause)},
                         {"item", item_of(run.machine, row)},
                         {"cycles", row.cycles},
                         {"crossings", row.crossings}});

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "dataflow/base/grouped_digits.hpp"
-#include "dataflow/run/config/enum_names.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "dataflow/run/figures/table_rows.hpp"
 
 namespace dataflow::report {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/tools/resources/machine_resources.hpp"
 
@@ -24,7 +25,7 @@ Json amount_json(Resources const& amount) {
 Json part_json(char const* kind, ResourcePart const& part) {
     Json json{{kind, part.name}};
     json.update(amount_json(part.amount));
-    json["basis"] = name_of(part.basis);
+    json["basis"] = enumerator_name(part.basis);
     return json;
 }
 
@@ -55,7 +56,7 @@ std::string line(std::string const& name, Resources const& amount, std::string_v
     return fmt::format("  {:<25} {:>9} {:>9} {:>7} {:>8.4g}{}{}\n", name, count(amount.lut), count(amount.ff),
                        count(amount.dsp), amount.ramb36, basis.empty() ? "" : "  ", basis);
 }
-std::string line(ResourcePart const& part) { return line(part.name, part.amount, name_of(part.basis)); }
+std::string line(ResourcePart const& part) { return line(part.name, part.amount, enumerator_name(part.basis)); }
 
 std::string share(std::string const& name, Resources const& amount) {
     Resources const percent = percent_of_device(amount);
@@ -74,9 +75,9 @@ Json resources_json(Machine const& machine) {
     json["fifos"] = parts_json("fifo", resources.fifos);
     json["memories"] = parts_json("bram", resources.memories);
     json["core"] = amount_json(resources.core.amount);
-    json["core"]["basis"] = name_of(resources.core.basis);
+    json["core"]["basis"] = enumerator_name(resources.core.basis);
     json["cores"] = sum_json(resources.cores.amount);
-    json["cores"]["basis"] = name_of(resources.cores.basis);
+    json["cores"]["basis"] = enumerator_name(resources.cores.basis);
     if (!resources.beside_is.empty()) {
         json["beside"] = amount_json(resources.beside);
         json["beside"]["is"] = resources.beside_is;
@@ -96,7 +97,7 @@ std::string resources_text(Machine const& machine) {
     text += line(sum_of(fmt::format("{} FIFOs", resources.fifos.size()), resources.fifos));
     text += line(sum_of(fmt::format("{} memories", resources.memories.size()), resources.memories));
     text += line(fmt::format("{} {}", machine.cores, machine.cores_are), resources.cores.amount,
-                 name_of(resources.cores.basis));
+                 enumerator_name(resources.cores.basis));
     text += share(fmt::format("of the {}", device.name), resources.cores.amount);
     if (!resources.beside_is.empty()) {
         text += line("with what is beside them", resources.chip, "");

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/grouped_digits.hpp"
 
@@ -24,20 +25,6 @@ bool changes(SensitivityStep const& step, RunStatistics const& run) {
 
 bool has_slack(RunStatistics const& run) {
     return !run.sensitivities.empty() && run.sensitivities.front().up.slack.has_value();
-}
-
-char const* name_of(SlackEnd end) {
-    switch (end) {
-        case SlackEnd::costs:
-            return "costs";
-        case SlackEnd::unknown:
-            return "unknown";
-        case SlackEnd::invalid:
-            return "invalid";
-        case SlackEnd::limit:
-            break;
-    }
-    return "limit";
 }
 
 std::string slack_cell(Sensitivity const& row, std::int64_t direction, Slack const& slack) {
@@ -149,7 +136,7 @@ void add_csv_row(std::string& text, std::string const& key, Value const& value, 
     else
         text += ',';
     if (step.slack)
-        fmt::format_to(std::back_inserter(text), ",{},{}", step.slack->change, name_of(step.slack->end));
+        fmt::format_to(std::back_inserter(text), ",{},{}", step.slack->change, enumerator_name(step.slack->end));
     else if (has_slack(run))
         text += ",,";
     text += '\n';
@@ -162,7 +149,7 @@ Json step_json(SensitivityStep const& step, RunStatistics const& run) {
         object["change_cycles"] = change_of(step, run);
     }
     if (step.slack)
-        object["slack"] = {{"change", step.slack->change}, {"end", name_of(step.slack->end)}};
+        object["slack"] = {{"change", step.slack->change}, {"end", enumerator_name(step.slack->end)}};
     return object;
 }
 

@@ -32,7 +32,7 @@ std::size_t cores_with_samples(std::size_t cores, std::size_t samples) {
 /// The first FIFO's port at which a process reads; none if it reads none.
 std::optional<unsigned> first_read_port(timing::ProcessTiming const& process) {
     for (unsigned port = 0; port < process.port_count(); ++port)
-        if (!process.writes(port) && !process.fifo(port).is_memory())
+        if (!process.writes(port) && !process.fifo(port).is_stream())
             return port;
     return std::nullopt;
 }

@@ -52,7 +52,7 @@ Members members_of_path(timing::CoreTiming const& core, RunEnd const& end) {
     for (timing::ProcessTiming const& process : core.processes())
         for (unsigned port = 0; port < process.port_count(); ++port) {
             timing::FifoTiming const& fifo = process.fifo(port);
-            if (fifo.is_memory() || turns_at(process, port, path) == 0)
+            if (fifo.is_stream() || turns_at(process, port, path) == 0)
                 continue;
             Cut::Member& member = members[core.number_of(fifo)];
             if (process.writes(port))

@@ -7,7 +7,7 @@
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/base/json.hpp"
-#include "dataflow/run/config/enum_names.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "dataflow/run/config/idle_keys.hpp"
 #include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/resolved_config.hpp"

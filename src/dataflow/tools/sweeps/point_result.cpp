@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/json.hpp"
 #include "dataflow/tools/resources/machine_resources.hpp"
 
@@ -23,9 +24,9 @@ std::string circle_of(RunStatistics const& run) {
 }
 
 Status status_from_name(std::string const& name) {
-    for (Status const status : {Status::done, Status::deadlock, Status::failed})
-        if (name == name_of(status))
-            return status;
+    for (std::size_t i = 0; i < enum_size<Status>(); ++i)
+        if (name == enumerator_names<Status>[i])
+            return static_cast<Status>(i);
     throw Json::other_error::create(501, "unknown status", static_cast<Json const*>(nullptr));
 }
 
@@ -63,18 +64,6 @@ std::string one_line(std::string text) {
 
 bool PointResult::operator==(PointResult const& other) const { return to_json(*this) == to_json(other); }
 
-char const* name_of(Status status) {
-    switch (status) {
-        case Status::done:
-            return "done";
-        case Status::deadlock:
-            return "deadlock";
-        case Status::failed:
-            return "failed";
-    }
-    return "";
-}
-
 PointResult result_of(RunStatistics const& run) {
     PointResult result;
     set_resources(run.machine, result);
@@ -99,34 +88,18 @@ PointResult failed(std::string const& message) {
 }
 
 Json to_json(PointResult const& result) {
-    return {{"status", name_of(result.status)},
-            {"message", result.message},
-            {"total_cycles", result.total_cycles},
-            {"milliseconds", result.milliseconds},
-            {"stall_cycles", result.stall_cycles},
-            {"port_conflict_cycles", result.port_conflict_cycles},
-            {"fifo_full_stall_cycles", result.fifo_full_stall_cycles},
-            {"fifo_empty_stall_cycles", result.fifo_empty_stall_cycles},
-            {"ramb36", result.ramb36},
-            {"lut", result.lut},
-            {"ff", result.ff},
-            {"dsp", result.dsp}};
+    Json json{{"status", enumerator_name(result.status)}, {"message", result.message}};
+    for (ResultFigure const& figure : result_figures)
+        std::visit([&](auto const member) { json[figure.name] = result.*member; }, figure.member);
+    return json;
 }
 
 PointResult result_from_json(Json const& json) {
     PointResult result;
     result.status = status_from_name(json.at("status").get<std::string>());
     json.at("message").get_to(result.message);
-    json.at("total_cycles").get_to(result.total_cycles);
-    json.at("milliseconds").get_to(result.milliseconds);
-    json.at("stall_cycles").get_to(result.stall_cycles);
-    json.at("port_conflict_cycles").get_to(result.port_conflict_cycles);
-    json.at("fifo_full_stall_cycles").get_to(result.fifo_full_stall_cycles);
-    json.at("fifo_empty_stall_cycles").get_to(result.fifo_empty_stall_cycles);
-    json.at("ramb36").get_to(result.ramb36);
-    json.at("lut").get_to(result.lut);
-    json.at("ff").get_to(result.ff);
-    json.at("dsp").get_to(result.dsp);
+    for (ResultFigure const& figure : result_figures)
+        std::visit([&](auto const member) { json.at(figure.name).get_to(result.*member); }, figure.member);
     return result;
 }
 

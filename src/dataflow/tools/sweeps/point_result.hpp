@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <variant>
 
 #include "dataflow/base/cycles.hpp"
 #include "dataflow/run/figures/run_statistics.hpp"
@@ -31,7 +33,25 @@ struct PointResult {
     bool operator==(PointResult const& other) const;
 };
 
-char const* name_of(PointResult::Status status);
+/// A figure of a result, under the name that it has in journals and results.csv.
+struct ResultFigure {
+    char const* name;
+    char const* format;  ///< of results.csv
+    std::variant<Cycles PointResult::*, double PointResult::*> member;
+    bool of_a_run = true;  ///< not known of a deadlock
+};
+inline constexpr std::array result_figures{
+    ResultFigure{"total_cycles", "{}", &PointResult::total_cycles},
+    ResultFigure{"milliseconds", "{}", &PointResult::milliseconds},
+    ResultFigure{"stall_cycles", "{}", &PointResult::stall_cycles},
+    ResultFigure{"port_conflict_cycles", "{}", &PointResult::port_conflict_cycles},
+    ResultFigure{"fifo_full_stall_cycles", "{}", &PointResult::fifo_full_stall_cycles},
+    ResultFigure{"fifo_empty_stall_cycles", "{}", &PointResult::fifo_empty_stall_cycles},
+    ResultFigure{"ramb36", "{:g}", &PointResult::ramb36, false},
+    ResultFigure{"lut", "{:.0f}", &PointResult::lut, false},
+    ResultFigure{"ff", "{:.0f}", &PointResult::ff, false},
+    ResultFigure{"dsp", "{:.0f}", &PointResult::dsp, false},
+};
 
 PointResult result_of(RunStatistics const& run);
 PointResult failed(std::string const& message);

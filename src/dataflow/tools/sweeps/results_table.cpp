@@ -1,41 +1,32 @@
 #include "dataflow/tools/sweeps/results_table.hpp"
 
 #include <fmt/format.h>
-#include <iterator>
 
 #include "dataflow/base/csv_cell.hpp"
+#include "dataflow/base/enumerators.hpp"
 
 namespace dataflow::sweeps {
 
 namespace {
 
-std::string figures(PointResult const& result) {
-    if (result.status == PointResult::Status::failed)
-        return ",,,,,,,,,";
-    std::string const area = fmt::format("{:g},{:.0f},{:.0f},{:.0f}", result.ramb36, result.lut, result.ff, result.dsp);
-    if (result.status == PointResult::Status::deadlock)
-        return ",,,,,," + area;
-    return fmt::format("{},{},{},{},{},{},{}", result.total_cycles, result.milliseconds, result.stall_cycles,
-                       result.port_conflict_cycles, result.fifo_full_stall_cycles, result.fifo_empty_stall_cycles,
-                       area);
+std::string cell(ResultFigure const& figure, PointResult const& result) {
+    if (result.status == PointResult::Status::failed ||
+        (result.status == PointResult::Status::deadlock && figure.of_a_run))
+        return "";
+    return std::visit([&](auto const member) { return fmt::format(fmt::runtime(figure.format), result.*member); },
+                      figure.member);
 }
 
 }  // namespace
 
 std::vector<std::string> const& result_columns() {
-    static std::vector<std::string> const columns{"point",
-                                                  "status",
-                                                  "total_cycles",
-                                                  "milliseconds",
-                                                  "stall_cycles",
-                                                  "port_conflict_cycles",
-                                                  "fifo_full_stall_cycles",
-                                                  "fifo_empty_stall_cycles",
-                                                  "ramb36",
-                                                  "lut",
-                                                  "ff",
-                                                  "dsp",
-                                                  "message"};
+    static std::vector<std::string> const columns = [] {
+        std::vector<std::string> names{"point", "status"};
+        for (ResultFigure const& figure : result_figures)
+            names.emplace_back(figure.name);
+        names.emplace_back("message");
+        return names;
+    }();
     return columns;
 }
 
@@ -53,8 +44,10 @@ std::string results_csv(Manifest const& manifest, Results const& results) {
         text += std::to_string(i);
         for (std::string const& value : manifest.points[i].values)
             text += "," + csv_cell(value);
-        fmt::format_to(std::back_inserter(text), ",{},{},{}\n", name_of(found->second.status), figures(found->second),
-                       csv_cell(found->second.message));
+        text += fmt::format(",{}", enumerator_name(found->second.status));
+        for (ResultFigure const& figure : result_figures)
+            text += "," + cell(figure, found->second);
+        text += "," + csv_cell(found->second.message) + "\n";
     }
     return text;
 }

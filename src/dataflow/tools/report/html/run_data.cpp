@@ -1,5 +1,6 @@
 #include "dataflow/tools/report/html/run_data.hpp"
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/run/config/plain_text.hpp"
 #include "dataflow/tools/report/critical_path_report.hpp"
 
@@ -82,8 +83,8 @@ Json cycle_class_data(Machine const& machine) {
 
 Json path_cause_data(Machine const& machine) {
     Json names = Json::array();
-    for (char const* cause : path_cause_names)
-        if (machine.external_memory || cause != name_of(PathCause::memory))
+    for (std::string_view const cause : enumerator_names<PathCause>)
+        if (machine.external_memory || cause != enumerator_name(PathCause::memory))
             names.push_back(cause);
     return names;
 }

@@ -115,7 +115,7 @@ TEST_CASE("A summary that is none is refused", "[runs]") {
     CHECK_THAT(error("\"version\": 1, ", ""), Contains("no key version"));
     CHECK_THAT(error("  \"loops\"", "}"), Contains("summary.json:8: is cut off or no JSON from here on"));
     CHECK_THAT(error("0.0005", "1e999"), Contains("beyond all limits"));
-    CHECK_THAT(error(summary, "[]"), Contains("the file is an array of 0, expected an object"));
+    CHECK_THAT(error(summary, "[]"), Contains("summary.json: an array of 0, expected an object"));
     CHECK_THAT(error(summary, ""), Contains("summary.json:1: is cut off"));
 }
 
@@ -129,11 +129,11 @@ TEST_CASE("A value of the summary that cannot be is refused by its key", "[runs]
     CHECK_THAT(error("0.0005", "\"much\""), Contains("milliseconds = \"much\", expected a number"));
     CHECK_THAT(error("\"busy_cycles\": 70", "\"busy_cycles\": 0.5"),
                Contains("modules[0].busy_cycles = 0.5, expected"));
-    CHECK_THAT(error("\"depth\": 4, \"write", "\"write"), Contains("no key fifos[0].depth"));
+    CHECK_THAT(error("\"depth\": 4, \"write", "\"write"), Contains("fifos[0]: no key depth, expected one"));
     CHECK_THAT(error("\"limited_by\": \"\"", "\"limited_by\": {}"),
                Contains("loops[1].limited_by = an object, expected text"));
     CHECK_THAT(error("{\"value\": 200.0, \"default\": true}", "200"),
-               Contains("configuration.accelerator.clock_mhz is 200, expected an object"));
+               Contains("configuration.accelerator.clock_mhz = 200, expected an object"));
     CHECK_THAT(error("\"fifos\"", "\"fifos\": 3, \"others\""), Contains("fifos = 3, expected an array"));
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 class DetectionReader {
   public:
-    Detection read(JsonNode const& node) {
+    Detection read(io::JsonNode const& node) {
         Detection detection;
         detection.image = {node.at("scene_id").integer(0), node.at("image_id").integer(0)};
         detection.obj_id = node.at("category_id").integer(0);
@@ -38,7 +38,7 @@ class DetectionReader {
     }
 
   private:
-    void read_rest(JsonNode const& node, Detection& detection) {
+    void read_rest(io::JsonNode const& node, Detection& detection) {
         ++read_;
         std::optional<ImageBox> const box = read_box(node.at("bbox"));
         if (!box || box->width == 0 || box->height == 0)
@@ -47,7 +47,7 @@ class DetectionReader {
         ++boxes_;
         boxes_within_one_ += is_within_one(*box) ? 1U : 0U;
         detection.score = confidence(node);
-        if (auto const time = node.find("time"); time && !time->is_null())
+        if (auto const time = node.find("time"); time && !time->value().is_null())
             detection.time_s = time->number();
     }
 
@@ -55,9 +55,9 @@ class DetectionReader {
         return box.left >= 0 && box.top >= 0 && box.left + box.width <= 1 && box.top + box.height <= 1;
     }
 
-    double confidence(JsonNode const& node) {
+    double confidence(io::JsonNode const& node) {
         auto const score = node.find("score");
-        if (!score || score->is_null()) {
+        if (!score || score->value().is_null()) {
             ++missing_;
             return 1;
         }
@@ -84,7 +84,7 @@ Json json_of(Detection const& detection) {
 
 }  // namespace
 
-std::optional<ImageBox> read_box(JsonNode const& node) {
+std::optional<ImageBox> read_box(io::JsonNode const& node) {
     std::vector<double> const numbers = node.numbers(4);
     if (std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == -1; }))
         return std::nullopt;
@@ -97,7 +97,7 @@ std::vector<Detection> read_detections(std::filesystem::path const& path, std::v
     Json const file = io::read_json_file(path, "detections as BOP has them");
     DetectionReader reader;
     std::vector<Detection> detections;
-    for (JsonNode const& node : JsonNode(path, file).items())
+    for (io::JsonNode const& node : io::JsonNode(path, file).items())
         detections.push_back(reader.read(node));
     std::vector<std::string> const told = reader.warnings(path);
     warnings.insert(warnings.end(), told.begin(), told.end());

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/base/files/json_node.hpp"
 #include "poses/bop/dataset.hpp"
-#include "poses/bop/json_node.hpp"
 
 namespace faster::bop {
 
 /// A box [x, y, width, height] of a JSON file; nothing for one of four times -1, which is that of what is not seen.
 /// Throws InputError, also for another negative size.
-std::optional<ImageBox> read_box(JsonNode const& node);
+std::optional<ImageBox> read_box(io::JsonNode const& node);
 
 /// A box in which a detector saw an object.
 struct Detection {

@@ -10,13 +10,13 @@
 
 #include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/json_node.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_file.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "faster/workload/files/pose_numbers.hpp"
 #include "faster/workload/files/tiff_image.hpp"
-#include "poses/bop/json_node.hpp"
 #include "poses/bop/mended_rotations.hpp"
 #include "poses/bop/model_bounds.hpp"
 #include "poses/bop/odd_lengths.hpp"
@@ -99,7 +99,7 @@ Camera common_size(fs::path const& root) {
     if (!fs::exists(file))
         return size;
     Json const json = io::read_json_file(file, "camera.json as BOP has it");
-    JsonNode const node(file, json);
+    io::JsonNode const node(file, json);
     auto const width = node.find("width"), height = node.find("height");
     if (width && height) {
         size.width = width->integer(1);
@@ -148,7 +148,7 @@ std::vector<Target> all_targets(std::vector<DatasetImage> const& images) {
 
 /// The targets of a row. One of test_targets_bop24.json has an image, in which everything is to be found; one of
 /// test_targets_bop19.json an object, and how often it is there.
-std::vector<Target> targets_of(JsonNode const& node, DatasetImage const& image) {
+std::vector<Target> targets_of(io::JsonNode const& node, DatasetImage const& image) {
     auto const obj_id = node.find("obj_id"), count = node.find("inst_count");
     std::vector<Target> targets = targets_in(image);
     if (!obj_id)
@@ -165,7 +165,7 @@ void read_targets(fs::path const& file, Dataset& dataset) {
     Json const json = io::read_json_file(file, "targets as BOP has them");
     std::map<std::pair<ImageId, int>, Target> targets;
     std::size_t rows = 0, elsewhere = 0, repeated = 0;
-    for (JsonNode const& node : JsonNode(file, json).items()) {
+    for (io::JsonNode const& node : io::JsonNode(file, json).items()) {
         ImageId const id{node.at("scene_id").integer(0), node.at("im_id").integer(0)};
         DatasetImage const* const image = dataset.find(id);
         ++rows;

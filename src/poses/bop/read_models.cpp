@@ -7,11 +7,11 @@
 
 #include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/json_node.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_file.hpp"
 #include "faster/workload/files/pose_numbers.hpp"
-#include "poses/bop/json_node.hpp"
 #include "poses/bop/mended_rotations.hpp"
 
 namespace faster::bop {
@@ -93,7 +93,7 @@ std::map<int, ObjectModel> models_by_name(std::set<fs::path> const& meshes, std:
 }
 
 /// A symmetry: a 4 x 4 matrix, row by row, that maps the model to itself [mm].
-Pose read_symmetry(JsonNode const& node, MendedRotations& mended) {
+Pose read_symmetry(io::JsonNode const& node, MendedRotations& mended) {
     std::vector<double> const m = node.numbers(16);
     if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1)
         node.fail("0, 0, 0, 1 as its last row");
@@ -108,14 +108,14 @@ Pose read_symmetry(JsonNode const& node, MendedRotations& mended) {
 
 Eigen::Vector3d vector_of(std::vector<double> const& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-ObjectModel::Axis read_axis(JsonNode const& node) {
+ObjectModel::Axis read_axis(io::JsonNode const& node) {
     Eigen::Vector3d const direction = vector_of(node.at("axis").numbers(3));
     if (!(direction.norm() > 0))
         node.at("axis").fail("a direction, not 0 0 0");
     return {direction.normalized(), files::m_per_mm * vector_of(node.at("offset").numbers(3))};
 }
 
-std::optional<ObjectModel::Bounds> read_bounds(JsonNode const& info) {
+std::optional<ObjectModel::Bounds> read_bounds(io::JsonNode const& info) {
     ObjectModel::Bounds bounds;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         std::string const name(1, "xyz"[axis]);
@@ -128,15 +128,15 @@ std::optional<ObjectModel::Bounds> read_bounds(JsonNode const& info) {
     return bounds;
 }
 
-void read_info(JsonNode const& info, ObjectModel& model, MendedRotations& mended) {
+void read_info(io::JsonNode const& info, ObjectModel& model, MendedRotations& mended) {
     model.diameter_m = files::m_per_mm * info.at("diameter").number_above_zero();
     model.bounds = read_bounds(info);
     if (auto const discrete = info.find("symmetries_discrete")) {
-        for (JsonNode const& symmetry : discrete->items())
+        for (io::JsonNode const& symmetry : discrete->items())
             model.symmetries.push_back(read_symmetry(symmetry, mended));
     }
     if (auto const continuous = info.find("symmetries_continuous")) {
-        for (JsonNode const& axis : continuous->items())
+        for (io::JsonNode const& axis : continuous->items())
             model.axes.push_back(read_axis(axis));
     }
 }
@@ -147,7 +147,7 @@ void read_infos(fs::path const& file, std::map<int, ObjectModel>& models, std::v
         model.problem =
             fmt::format("{}: no key {}, expected one for {}", file.string(), id, model.mesh.filename().string());
     MendedRotations mended;
-    for (auto const& [id, info] : JsonNode(file, json).numbered()) {
+    for (auto const& [id, info] : io::JsonNode(file, json).numbered()) {
         auto const found = models.find(id);
         if (found == models.end())
             continue;

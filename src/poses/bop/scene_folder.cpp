@@ -5,10 +5,10 @@
 
 #include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/json_node.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/pose_numbers.hpp"
 #include "poses/bop/detections.hpp"
-#include "poses/bop/json_node.hpp"
 
 namespace faster::bop {
 namespace {
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 using Images = std::map<int, DatasetImage>;  // by im_id
 
-void read_camera(JsonNode const& node, DatasetImage& image) {
+void read_camera(io::JsonNode const& node, DatasetImage& image) {
     std::vector<double> const k = node.at("cam_K").numbers(9);
     if (!(k[0] > 0 && k[4] > 0))
         node.at("cam_K").fail("focal lengths above 0");
@@ -51,7 +51,7 @@ Images read_cameras(fs::path const& folder, int scene_id, Camera const& size) {
     fs::path const file = folder / "scene_camera.json";
     Json const json = io::read_json_file(file, "scene_camera.json as BOP has it");
     Images images;
-    for (auto const& [im_id, node] : JsonNode(file, json).numbered()) {
+    for (auto const& [im_id, node] : io::JsonNode(file, json).numbered()) {
         DatasetImage& image = images[im_id];
         image.id = {scene_id, im_id};
         image.camera = size;
@@ -61,7 +61,7 @@ Images read_cameras(fs::path const& folder, int scene_id, Camera const& size) {
     return images;
 }
 
-Pose read_pose(JsonNode const& node, MendedRotations& mended) {
+Pose read_pose(io::JsonNode const& node, MendedRotations& mended) {
     Pose pose;
     std::string problem;
     pose.rotation = mended.taken(files::matrix_of(node.at("cam_R_m2c").numbers(9)), problem);
@@ -72,7 +72,7 @@ Pose read_pose(JsonNode const& node, MendedRotations& mended) {
     return pose;
 }
 
-GroundTruth read_object(JsonNode const& node, MendedRotations& mended) {
+GroundTruth read_object(io::JsonNode const& node, MendedRotations& mended) {
     GroundTruth object;
     object.obj_id = node.at("obj_id").integer(1);
     read_into(object, [&] { object.pose = read_pose(node, mended); });
@@ -81,18 +81,18 @@ GroundTruth read_object(JsonNode const& node, MendedRotations& mended) {
 
 void read_objects(fs::path const& file, int scene_id, Images& images, MendedRotations& mended) {
     Json const json = io::read_json_file(file, "scene_gt.json as BOP has it");
-    for (auto const& [im_id, node] : JsonNode(file, json).numbered()) {
+    for (auto const& [im_id, node] : io::JsonNode(file, json).numbered()) {
         auto const [image, is_new] = images.try_emplace(im_id);
         image->second.id = {scene_id, im_id};
         if (is_new)
             read_into(image->second, [&, &node = node] { node.fail("an image that scene_camera.json has, too"); });
-        for (JsonNode const& object : node.items())
+        for (io::JsonNode const& object : node.items())
             image->second.objects.push_back(read_object(object, mended));
     }
 }
 
 /// Of what is not to be seen bop_toolkit writes boxes of four times -1; without a share they tell that it is hidden.
-void read_object_info(JsonNode const& node, GroundTruth& object) {
+void read_object_info(io::JsonNode const& node, GroundTruth& object) {
     bool is_seen = true;
     if (auto const box = node.find("bbox_obj"))
         is_seen = (object.box = read_box(*box)).has_value();
@@ -106,8 +106,8 @@ void read_object_info(JsonNode const& node, GroundTruth& object) {
         node.at("visib_fract").fail("a share of the object, at most 1");
 }
 
-void read_image_infos(JsonNode const& node, DatasetImage& image) {
-    std::vector<JsonNode> const infos = node.items();
+void read_image_infos(io::JsonNode const& node, DatasetImage& image) {
+    std::vector<io::JsonNode> const infos = node.items();
     if (image.objects.size() != infos.size())
         node.fail("an object for each that scene_gt.json has in this image");
     for (std::size_t i = 0; i < infos.size(); ++i) {
@@ -118,7 +118,7 @@ void read_image_infos(JsonNode const& node, DatasetImage& image) {
 
 void read_object_infos(fs::path const& file, Images& images) {
     Json const json = io::read_json_file(file, "scene_gt_info.json as BOP has it");
-    for (auto const& [im_id, node] : JsonNode(file, json).numbered()) {
+    for (auto const& [im_id, node] : io::JsonNode(file, json).numbered()) {
         if (auto const image = images.find(im_id); image != images.end())
             read_into(image->second, [&, &node = node] { read_image_infos(node, image->second); });
     }
@@ -132,7 +132,7 @@ std::vector<DatasetImage> values_of(Images const& images) {
 }
 
 /// The one of `models` that is called `name`.
-int object_called(JsonNode const& name, std::map<int, ObjectModel> const& models) {
+int object_called(io::JsonNode const& name, std::map<int, ObjectModel> const& models) {
     std::string const wanted = name.text();
     for (auto const& [id, model] : models) {
         if (model.name == wanted)
@@ -141,7 +141,8 @@ int object_called(JsonNode const& name, std::map<int, ObjectModel> const& models
     name.fail("the name of one of the meshes");
 }
 
-GroundTruth read_frame_object(JsonNode const& node, std::map<int, ObjectModel> const& models, MendedRotations& mended) {
+GroundTruth read_frame_object(io::JsonNode const& node, std::map<int, ObjectModel> const& models,
+                              MendedRotations& mended) {
     GroundTruth object;
     object.obj_id = object_called(node.at("class"), models);
     std::string problem;
@@ -153,25 +154,25 @@ GroundTruth read_frame_object(JsonNode const& node, std::map<int, ObjectModel> c
     return object;
 }
 
-int number_of(JsonNode const& id) {
+int number_of(io::JsonNode const& id) {
     std::string const text = id.text();
     if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)
         id.fail("a number of up to nine digits, as text");
     return std::stoi(text);
 }
 
-DatasetImage read_frame(JsonNode const& node, fs::path const& folder, std::map<int, ObjectModel> const& models,
+DatasetImage read_frame(io::JsonNode const& node, fs::path const& folder, std::map<int, ObjectModel> const& models,
                         MendedRotations& mended) {
     DatasetImage image;
     image.id.im_id = number_of(node.at("id"));
-    JsonNode const k = node.at("intrinsics");
+    io::JsonNode const k = node.at("intrinsics");
     image.camera = {node.at("width").integer(1),    node.at("height").integer(1), k.at("fx").number_above_zero(),
                     k.at("fy").number_above_zero(), k.at("cx").number(),          k.at("cy").number()};
     image.has_size = true;
     image.depth_unit_m = node.at("depth_unit_m").number_above_zero();
     image.depth = folder / node.at("depth").text();
     if (auto const objects = node.find("objects"))
-        for (JsonNode const& object : objects->items())
+        for (io::JsonNode const& object : objects->items())
             image.objects.push_back(read_frame_object(object, models, mended));
     return image;
 }
@@ -196,7 +197,7 @@ std::vector<DatasetImage> read_frames_folder(fs::path const& folder, int scene_i
     fs::path const file = folder / "frames.json";
     Json const json = io::read_json_file(file, "frames with intrinsics and poses");
     Images images;
-    for (JsonNode const& node : JsonNode(file, json).at("frames").items()) {
+    for (io::JsonNode const& node : io::JsonNode(file, json).at("frames").items()) {
         DatasetImage image = read_frame(node, folder, models, mended);
         image.id.scene_id = scene_id;
         if (!images.emplace(image.id.im_id, image).second)

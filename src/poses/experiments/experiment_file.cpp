@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <set>
 
 #include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
 #include "dataflow/base/printable.hpp"
+#include "dataflow/run/config/entry_faults.hpp"
 #include "dataflow/run/config/plain_text.hpp"
 #include "dataflow/run/config/value_reader.hpp"
 #include "dataflow/tools/sweeps/key_cells.hpp"
@@ -32,11 +32,9 @@ class ExperimentReader {
                                          shown(root), fmt::join(top_names(), ", ")));
         for (MapEntry const& entry : read_entries(root, "", faults_))
             read_entry(entry);
-        throw_faults();
-        for (char const* const needed : {"format", "version", "scenes", "methods"})
-            if (given_.count(needed) == 0)
-                faults_.push_back({1, needed, std::nullopt, "missing, expected it at the top of the file"});
-        throw_faults();
+        throw_first_of(faults_, experiment_.file);
+        require_given(faults_, given_, {"format", "version", "scenes", "methods"});
+        throw_first_of(faults_, experiment_.file);
         return experiment_;
     }
 
@@ -46,21 +44,12 @@ class ExperimentReader {
     }
 
   private:
-    void reject(MapEntry const& entry, std::string const& expected) {
-        faults_.push_back({entry.line, entry.name, shown(entry.value), "expected " + expected});
-    }
-    void reject_name(MapEntry const& entry, Names const& names) {
-        faults_.push_back({entry.line, shortened(entry.name), std::nullopt,
-                           fmt::format("unknown key, expected one of {}{}", fmt::join(names, ", "),
-                                       did_you_mean(entry.name, names))});
-    }
-
     void read_entry(MapEntry const& entry) {
-        given_.insert(entry.name);
+        given_.push_back(entry.name);
         if (entry.name == "format")
-            require_word(entry, "faster-experiment");
+            require_word(faults_, entry, "faster-experiment");
         else if (entry.name == "version")
-            require_word(entry, "1");
+            require_word(faults_, entry, "1");
         else if (entry.name == "base")
             read_path(entry, experiment_.base);
         else if (entry.name == "set")
@@ -72,12 +61,7 @@ class ExperimentReader {
         else if (entry.name == "methods")
             read_methods(entry);
         else
-            reject_name(entry, top_names());
-    }
-
-    void require_word(MapEntry const& entry, std::string const& word) {
-        if (!entry.value.IsScalar() || entry.value.Scalar() != word)
-            reject(entry, word);
+            reject_name(faults_, entry, top_names());
     }
 
     void read_path(MapEntry const& entry, std::filesystem::path& path) {
@@ -89,7 +73,7 @@ class ExperimentReader {
         auto const value = entry.value.IsScalar() ? parse_integer(entry.value.Scalar()) : std::nullopt;
         if (value && *value >= least && *value <= most)
             return *value;
-        reject(entry, fmt::format("an integer from {} to {}", least, most));
+        reject(faults_, entry, fmt::format("an integer from {} to {}", least, most));
         return least;
     }
 
@@ -97,7 +81,7 @@ class ExperimentReader {
         auto const value = entry.value.IsScalar() ? parse_number(entry.value.Scalar()) : std::nullopt;
         if (value && *value >= least && *value <= most)
             return *value;
-        reject(entry, fmt::format("a number from {} to {}", least, most));
+        reject(faults_, entry, fmt::format("a number from {} to {}", least, most));
         return least;
     }
 
@@ -106,7 +90,7 @@ class ExperimentReader {
         if (map.value.IsNull())
             return list;
         if (!map.value.IsMap()) {
-            reject(map, "a map of dotted keys, e.g. {estimator.backend: grip}");
+            reject(faults_, map, "a map of dotted keys, e.g. {estimator.backend: grip}");
             return list;
         }
         for (MapEntry const& entry : read_entries(map.value, prefix, faults_))
@@ -129,7 +113,7 @@ class ExperimentReader {
 
     void read_methods(MapEntry const& map) {
         if (!map.value.IsMap() || map.value.size() == 0)
-            return reject(map, "a map of names to settings, e.g. {grip: {estimator.backend: grip}}");
+            return reject(faults_, map, "a map of names to settings, e.g. {grip: {estimator.backend: grip}}");
         for (MapEntry const& entry : read_entries(map.value, "methods.", faults_))
             if (is_name(entry))
                 experiment_.methods.push_back({entry.name, settings(entry, "methods." + entry.name + ".")});
@@ -137,7 +121,7 @@ class ExperimentReader {
 
     void read_scenes(MapEntry const& map) {
         if (!map.value.IsMap() || map.value.size() == 0)
-            return reject(map, "a map of names to settings, e.g. {dark: {objects: [banana], images: 40}}");
+            return reject(faults_, map, "a map of names to settings, e.g. {dark: {objects: [banana], images: 40}}");
         for (MapEntry const& entry : read_entries(map.value, "scenes.", faults_))
             if (is_name(entry))
                 read_setting(entry);
@@ -145,7 +129,7 @@ class ExperimentReader {
 
     void read_setting(MapEntry const& map) {
         if (!map.value.IsMap())
-            return reject(map, "a map with dataset, or with objects and images");
+            return reject(faults_, map, "a map with dataset, or with objects and images");
         std::size_t const faults_before = faults_.size();
         Setting setting;
         setting.name = map.name;
@@ -167,7 +151,7 @@ class ExperimentReader {
             else if (entry.name == "boxes")
                 read_boxes(entry, setting.boxes);
             else
-                reject_name(entry, names);
+                reject_name(faults_, entry, names);
         }
         bool const is_either = setting.dataset.empty() != (setting.objects.empty() || setting.images == 0);
         if (!is_either && faults_.size() == faults_before)
@@ -181,7 +165,7 @@ class ExperimentReader {
     std::vector<std::string> objects(MapEntry const& list) {
         std::vector<std::string> names;
         if (!list.value.IsSequence())
-            reject(list, "a list of classes, e.g. [banana, mug]");
+            reject(faults_, list, "a list of classes, e.g. [banana, mug]");
         else
             for (YAML::Node const& item : list.value) {
                 std::string const name = item.IsScalar() ? item.Scalar() : "";
@@ -200,16 +184,16 @@ class ExperimentReader {
     void read_visible(MapEntry const& list, Setting& setting) {
         auto const bound = [&](std::size_t i) { return number({list.name, list.line, list.value[i]}, 0, 1); };
         if (!list.value.IsSequence() || list.value.size() != 2)
-            return reject(list, "two shares, e.g. [0.3, 0.9]");
+            return reject(faults_, list, "two shares, e.g. [0.3, 0.9]");
         setting.visible = {bound(0), bound(1)};
         if (setting.visible[0] > setting.visible[1])
-            reject(list, "the smaller share first");
+            reject(faults_, list, "the smaller share first");
     }
 
     void read_boxes(MapEntry const& map, DetectorModel& boxes) {
         static Names const names{"shift", "scale", "missing", "wrong"};
         if (!map.value.IsMap())
-            return reject(map, "a map with shift, scale, missing, wrong");
+            return reject(faults_, map, "a map with shift, scale, missing, wrong");
         for (MapEntry const& entry : read_entries(map.value, map.name + ".", faults_)) {
             if (entry.name == "shift")
                 boxes.shift = number(entry, 0, 10);
@@ -220,23 +204,14 @@ class ExperimentReader {
             else if (entry.name == "wrong")
                 boxes.wrong = number(entry, 0, 1);
             else
-                reject_name(entry, names);
+                reject_name(faults_, entry, names);
         }
-    }
-
-    void throw_faults() {
-        std::stable_sort(faults_.begin(), faults_.end(),
-                         [](KeyFault const& a, KeyFault const& b) { return a.line < b.line; });
-        std::vector<std::string> messages;
-        for (KeyFault const& fault : faults_)
-            messages.push_back(fmt::format("{}:{}: {}", experiment_.file, fault.line, fault.text()));
-        throw_first(messages);
     }
 
     KeyFaults faults_;
     sweeps::KeyCells cells_;
     Experiment experiment_;
-    std::set<std::string> given_;
+    Names given_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "dataflow/base/utf8.hpp"
 #include "dataflow/run/config/config_sources.hpp"
 #include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/entry_faults.hpp"
 #include "dataflow/run/config/key_faults.hpp"
 #include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/keys.hpp"
@@ -31,11 +32,7 @@ class FileReader {
                                 root.IsSequence() ? "a list" : shown(root), fmt::join(names_in_section(""), ", "))};
         }
         read_section(root, "");
-        std::vector<std::string> messages;
-        for (KeyFault const& fault : faults_) {
-            messages.push_back(fmt::format("{}:{}: {}", file_, fault.line, fault.text()));
-        }
-        return messages;
+        return messages_of(faults_, file_);
     }
 
   private:

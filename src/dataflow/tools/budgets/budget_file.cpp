@@ -1,7 +1,6 @@
 #include "dataflow/tools/budgets/budget_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <vector>
 #include <yaml-cpp/yaml.h>
@@ -12,6 +11,7 @@
 #include "dataflow/base/printable.hpp"
 #include "dataflow/base/program_name.hpp"
 #include "dataflow/run/config/config_sources.hpp"
+#include "dataflow/run/config/entry_faults.hpp"
 #include "dataflow/run/config/key_faults.hpp"
 #include "dataflow/run/config/keys.hpp"
 #include "dataflow/run/config/plain_text.hpp"
@@ -177,8 +177,8 @@ std::vector<Limit> read_limits(YAML::Node const& limits, KeyFaults& faults) {
     return read;
 }
 
-constexpr std::array<char const*, 8> budget_keys{"format", "version", "configuration", "set",
-                                                 "trace",  "limits",  "time_limit_s",  "baseline"};
+std::vector<std::string> const budget_keys{"format", "version", "configuration", "set",
+                                           "trace",  "limits",  "time_limit_s",  "baseline"};
 constexpr double longest_time_limit_s = 86400;
 
 class BudgetReader {
@@ -187,36 +187,24 @@ class BudgetReader {
 
     Budget read(YAML::Node const& root) {
         if (!root.IsMap())
-            fail(1, "", root, "a budget: a map with " + fmt::format("{}", fmt::join(budget_keys, ", ")));
+            throw InputError(fmt::format("{}:1: {}, expected a budget: a map with {}", budget_.file.string(),
+                                         shown(root), fmt::join(budget_keys, ", ")));
         for (MapEntry const& entry : read_entries(root, "", faults_))
             read_entry(entry);
-        check_completeness();
+        require_given(faults_, given_, {"format", "version", "configuration", "limits"});
         check_references();
-        std::stable_sort(faults_.begin(), faults_.end(),
-                         [](KeyFault const& a, KeyFault const& b) { return a.line < b.line; });
+        throw_first_of(faults_, budget_.file.string());
         require_baseline();
-        std::vector<std::string> messages;
-        for (KeyFault const& fault : faults_)
-            messages.push_back(fmt::format("{}:{}: {}", budget_.file.string(), fault.line, fault.text()));
-        throw_first(messages);
         return budget_;
     }
 
   private:
-    [[noreturn]] void fail(int line, std::string const& key, YAML::Node const& found, std::string const& expected) {
-        throw InputError(fmt::format("{}:{}: {}{}, expected {}", budget_.file.string(), line,
-                                     key.empty() ? "" : key + " = ", shown(found), expected));
-    }
-    void reject(MapEntry const& entry, std::string const& expected) {
-        faults_.push_back({entry.line, entry.name, shown(entry.value), "expected " + expected});
-    }
-
     void read_entry(MapEntry const& entry) {
         given_.push_back(entry.name);
         if (entry.name == "format")
-            require_word(entry, "faster-budget");
+            require_word(faults_, entry, "faster-budget");
         else if (entry.name == "version")
-            require_word(entry, "1");
+            require_word(faults_, entry, "1");
         else if (entry.name == "configuration")
             read_path(entry, budget_.configuration);
         else if (entry.name == "trace")
@@ -230,19 +218,12 @@ class BudgetReader {
         else if (entry.name == "baseline")
             budget_.baseline = read_baseline(entry.value, entry.line, faults_);
         else
-            faults_.push_back({entry.line, shortened(entry.name), std::nullopt,
-                               fmt::format("unknown key, expected one of {}{}", fmt::join(budget_keys, ", "),
-                                           did_you_mean(entry.name, budget_keys))});
-    }
-
-    void require_word(MapEntry const& entry, std::string const& word) {
-        if (!entry.value.IsScalar() || entry.value.Scalar() != word)
-            reject(entry, word);
+            reject_name(faults_, entry, budget_keys);
     }
 
     void read_path(MapEntry const& entry, std::string& path) {
         if (!entry.value.IsScalar() || entry.value.Scalar().empty())
-            reject(entry, "a path, relative to the budget's folder");
+            reject(faults_, entry, "a path, relative to the budget's folder");
         else
             path = entry.value.Scalar();
     }
@@ -250,14 +231,14 @@ class BudgetReader {
     void read_time_limit(MapEntry const& entry) {
         auto const seconds = entry.value.IsScalar() ? parse_number(entry.value.Scalar()) : std::nullopt;
         if (!seconds || *seconds <= 0 || *seconds > longest_time_limit_s)
-            reject(entry, fmt::format("seconds, above 0 and up to {:g}", longest_time_limit_s));
+            reject(faults_, entry, fmt::format("seconds, above 0 and up to {:g}", longest_time_limit_s));
         else
             budget_.time_limit_s = *seconds;
     }
 
     void read_overrides(MapEntry const& set) {
         if (!set.value.IsMap())
-            return reject(set, "a map of dotted keys, e.g. {" + example_key() + ": 1}");
+            return reject(faults_, set, "a map of dotted keys, e.g. {" + example_key() + ": 1}");
         for (MapEntry const& entry : read_entries(set.value, "set.", faults_))
             read_override(entry);
     }
@@ -287,24 +268,18 @@ class BudgetReader {
 
     void read_all_limits(MapEntry const& entry) {
         if (!entry.value.IsMap() || entry.value.size() == 0)
-            return reject(entry, "a map from figures to limits, at least one");
+            return reject(faults_, entry, "a map from figures to limits, at least one");
         budget_.limits = read_limits(entry.value, faults_);
     }
 
     bool is_given(char const* key) const { return std::find(given_.begin(), given_.end(), key) != given_.end(); }
 
-    void check_completeness() {
-        for (char const* const required : {"format", "version", "configuration", "limits"})
-            if (!is_given(required))
-                faults_.push_back({1, required, std::nullopt, "missing, expected one"});
-    }
-
     /// The last fault of all: --update, which writes it, is of use once the others are mended.
     void require_baseline() {
         if (need_ == BaselineNeed::required && !is_given("baseline"))
-            faults_.push_back({1, "baseline", std::nullopt,
-                               fmt::format("missing, expected one; {} check {} --update --reason TEXT writes it",
-                                           program_name(), budget_.file.string())});
+            throw InputError(
+                fmt::format("{0}:1: baseline: missing, expected one; {1} check {0} --update --reason TEXT writes it",
+                            budget_.file.string(), program_name()));
     }
 
     /// A limit that refers to figures of one name needs just that figure in the baseline.
@@ -331,8 +306,7 @@ class BudgetReader {
 }  // namespace
 
 Budget read_budget(std::filesystem::path const& file, BaselineNeed need) {
-    return BudgetReader(file, need)
-        .read(load_document(file, "a budget file", {budget_keys.begin(), budget_keys.end()}));
+    return BudgetReader(file, need).read(load_document(file, "a budget file", budget_keys));
 }
 
 }  // namespace dataflow::budgets

@@ -15,18 +15,23 @@
 #include "dataflow/base/files/csv_cells.hpp"
 #include "dataflow/base/files/csv_integers.hpp"
 #include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/json_node.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/program_name.hpp"
 #include "dataflow/run/config/design.hpp"
 #include "dataflow/run/figures/column_values.hpp"
-#include "dataflow/tools/compare/json_section.hpp"
 
 namespace dataflow::runs {
 
 namespace {
 
 namespace fs = std::filesystem;
+using io::JsonNode;
 using Texts = std::vector<std::string>;
+
+/// The largest figure a run may have: 2^53 - 1, which every JSON reader keeps exactly. A sum over the at most 1024
+/// cores fits into 63 bits, so sums and differences do not overflow.
+constexpr std::uint64_t largest_figure = (std::uint64_t{1} << 53U) - 1;
 
 [[noreturn]] void fail(fs::path const& path, std::size_t line, std::string const& what) {
     throw InputError(fmt::format("{}:{}: {}", path.string(), line, what));
@@ -212,10 +217,12 @@ constexpr char const* format = "faster-summary";
 constexpr std::uint64_t version = 1;
 constexpr std::uint64_t most_cores = 1024;  // as accelerator.raster_cores
 
-std::vector<ConfigurationEntry> read_configuration(JsonSection const& configuration) {
+std::uint64_t figure(JsonNode const& node) { return node.unsigned_integer(0, largest_figure); }
+
+std::vector<ConfigurationEntry> read_configuration(JsonNode const& configuration) {
     std::vector<ConfigurationEntry> entries;
-    for (auto const& item : configuration.object().items())
-        entries.push_back({item.key(), configuration.section(item.key()).at("value").dump()});
+    for (auto const& [key, entry] : configuration.members())
+        entries.push_back({key, entry.at("value").value().dump()});
     return entries;
 }
 
@@ -225,55 +232,53 @@ bool is_cycle_class(std::string_view name) {
 }
 
 /// Values of another type (a breakdown of a class, say) are for others to read.
-std::vector<CycleClass> read_classes(JsonSection const& row) {
+std::vector<CycleClass> read_classes(JsonNode const& row) {
     std::vector<CycleClass> classes;
-    for (auto const& item : row.object().items())
-        if (is_cycle_class(item.key()) && !item.value().is_structured())
-            classes.push_back({item.key(), row.integer(item.key())});
+    for (auto const& [key, node] : row.members())
+        if (is_cycle_class(key) && !node.value().is_structured())
+            classes.push_back({key, figure(node)});
     return classes;
 }
 
-ModuleRecord read_module(JsonSection const& row, std::uint64_t core) {
-    return {core, row.text("module"), read_classes(row)};
+ModuleRecord read_module(JsonNode const& row, std::uint64_t core) {
+    return {core, row.at("module").text(), read_classes(row)};
 }
 
 /// A row of the columns that the CSV files have too.
-template <class Row, std::size_t N> Row read_row(JsonSection const& section, Columns<Row, N> columns) {
+template <class Row, std::size_t N> Row read_row(JsonNode const& cells, Columns<Row, N> columns) {
     Row row;
     for (Column<Row> const& column : columns) {
         if (!column.is_in_csv())
             continue;
-        if (auto* const figure = place_of<std::uint64_t>(column, row))
-            *figure = section.integer(column.name);
+        if (auto* const number = place_of<std::uint64_t>(column, row))
+            *number = figure(cells.at(column.name));
         if (auto* const text = place_of<std::string>(column, row))
-            *text = section.text(column.name);
+            *text = cells.at(column.name).text();
     }
     return row;
 }
 
-FifoRow read_fifo(JsonSection const& row, std::uint64_t) { return read_row(row, fifo_columns); }
-LoopRow read_loop(JsonSection const& row, std::uint64_t) { return read_row(row, loop_columns); }
+FifoRow read_fifo(JsonNode const& row, std::uint64_t) { return read_row(row, fifo_columns); }
+LoopRow read_loop(JsonNode const& row, std::uint64_t) { return read_row(row, loop_columns); }
 
 /// Rows of a table with one row per core and item. Each (core, name) stands once, so that a table is complete exactly
 /// if it has cores times names rows.
 template <class Record>
-std::vector<Record> read_table(JsonSection const& summary, std::string const& table, std::uint64_t cores,
-                               Record (*read_row)(JsonSection const&, std::uint64_t core)) {
-    Json const& rows = summary.array_at(table);
+std::vector<Record> read_table(JsonNode const& summary, std::string const& table, std::uint64_t cores,
+                               Record (*read_row)(JsonNode const&, std::uint64_t core)) {
     std::vector<Record> records;
     std::set<std::string> names;
     std::set<std::pair<std::uint64_t, std::string>> seen;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        JsonSection const row = summary.row(table, rows, i);
-        std::uint64_t const core = row.integer("core", 0, cores - 1);
+    for (JsonNode const& row : summary.at(table).items()) {
+        std::uint64_t const core = row.at("core").unsigned_integer(0, cores - 1);
         records.push_back(read_row(row, core));
         std::string const name = records.back().name();
         names.insert(name);
         if (!seen.emplace(core, name).second)
-            row.fail("core", fmt::format("one row only for its {}", name));
+            row.at("core").fail(fmt::format("one row only for its {}", name));
     }
     if (records.size() != cores * names.size())
-        summary.fail(table, fmt::format("a row for each item of each of the {} {}", cores, cores_are()));
+        summary.at(table).fail(fmt::format("a row for each item of each of the {} {}", cores, cores_are()));
     return records;
 }
 
@@ -294,19 +299,21 @@ std::string program_of(Json const& summary) {
 /// What a summary.json tells about a run: all of a RunRecord but folder and samples. Throws InputError for another
 /// format or version, a missing or impossible value, and for tables in which a core lacks an item that another has, or
 /// has one twice.
-RunRecord read_summary(JsonSection const& summary) {
-    if (summary.text("format") != format)
-        summary.fail("format", format);
-    if (summary.at("version") != version)
-        summary.fail("version", std::to_string(version));
+RunRecord read_summary(JsonNode const& summary) {
+    if (summary.at("format").text() != format)
+        summary.at("format").fail(format);
+    if (summary.at("version").value() != version)
+        summary.at("version").fail(std::to_string(version));
     RunRecord run;
-    run.total_cycles = summary.integer("total_cycles");
-    run.milliseconds = summary.number("milliseconds");
-    run.raster_cores = summary.integer("raster_cores", 1, most_cores);
-    run.configuration = read_configuration(summary.section("configuration"));
+    run.total_cycles = figure(summary.at("total_cycles"));
+    run.milliseconds = summary.at("milliseconds").number();
+    if (run.milliseconds < 0)
+        summary.at("milliseconds").fail("a number from 0");
+    run.raster_cores = summary.at("raster_cores").unsigned_integer(1, most_cores);
+    run.configuration = read_configuration(summary.at("configuration"));
     run.modules = read_table<ModuleRecord>(summary, "modules", run.raster_cores, read_module);
     if (run.modules.empty())
-        summary.fail("modules", "a row for each module");
+        summary.at("modules").fail("a row for each module");
     run.fifos = read_table<FifoRow>(summary, "fifos", run.raster_cores, read_fifo);
     run.loops = read_table<LoopRow>(summary, "loops", run.raster_cores, read_loop);
     return run;
@@ -320,11 +327,11 @@ RunRecord read_run(std::filesystem::path const& folder) {
         throw InputError(folder.string() + ": no such folder, expected the output of " + program_name() + " run --out");
     std::filesystem::path const file = folder / "summary.json";
     Json const document = parse_summary(file);
-    JsonSection const summary(file.string(), "", document);
+    JsonNode const summary(file, document);
     RunRecord run = read_summary(summary);
     run.folder = folder.string();
     require_own_design(folder, program_of(document));
-    run.samples = read_samples(folder / "samples.csv", run, summary.integer("samples"));
+    run.samples = read_samples(folder / "samples.csv", run, figure(summary.at("samples")));
     check_fifos(folder / "fifos.csv", run);
     check_loops(folder / "loops.csv", run);
     return run;
@@ -332,7 +339,7 @@ RunRecord read_run(std::filesystem::path const& folder) {
 
 RunRecord run_record(std::string const& name, std::string const& summary, std::vector<SampleStatistics> samples) {
     Json const document = Json::parse(summary);
-    RunRecord run = read_summary(JsonSection(name, "", document));
+    RunRecord run = read_summary(JsonNode(name, document));
     run.folder = name;
     run.samples = std::move(samples);
     return run;

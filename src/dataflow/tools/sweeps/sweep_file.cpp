@@ -1,15 +1,13 @@
 #include "dataflow/tools/sweeps/sweep_file.hpp"
 
-#include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <map>
-#include <set>
+#include <string>
+#include <vector>
 
 #include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/input_error.hpp"
-#include "dataflow/base/nearest_name.hpp"
-#include "dataflow/base/printable.hpp"
+#include "dataflow/run/config/entry_faults.hpp"
 #include "dataflow/run/config/keys.hpp"
 #include "dataflow/run/config/value_reader.hpp"
 #include "dataflow/tools/sweeps/dimension_reader.hpp"
@@ -19,7 +17,7 @@ namespace dataflow::sweeps {
 
 namespace {
 
-constexpr std::array<char const*, 5> keys{"format", "version", "base", "set", "dimensions"};
+std::vector<std::string> const keys{"format", "version", "base", "set", "dimensions"};
 
 class SweepReader {
   public:
@@ -33,26 +31,20 @@ class SweepReader {
                                          fmt::join(keys, ", ")));
         for (MapEntry const& entry : read_entries(root, "", faults_))
             read_entry(entry);
-        throw_faults();
-        for (char const* const needed : {"format", "version", "dimensions"})
-            if (given_.count(needed) == 0)
-                faults_.push_back({1, needed, std::nullopt, "missing, expected it at the top of the file"});
-        throw_faults();
+        throw_first_of(faults_, sweep_.file);
+        require_given(faults_, given_, {"format", "version", "dimensions"});
+        throw_first_of(faults_, sweep_.file);
         check_size();
         return sweep_;
     }
 
   private:
-    void reject(MapEntry const& entry, std::string const& expected) {
-        faults_.push_back({entry.line, entry.name, shown(entry.value), "expected " + expected});
-    }
-
     void read_entry(MapEntry const& entry) {
-        given_.insert(entry.name);
+        given_.push_back(entry.name);
         if (entry.name == "format")
-            require_word(entry, "faster-sweep");
+            require_word(faults_, entry, "faster-sweep");
         else if (entry.name == "version")
-            require_word(entry, "1");
+            require_word(faults_, entry, "1");
         else if (entry.name == "base")
             read_base(entry);
         else if (entry.name == "set")
@@ -60,14 +52,7 @@ class SweepReader {
         else if (entry.name == "dimensions")
             read_dimensions(entry);
         else
-            faults_.push_back({entry.line, shortened(entry.name), std::nullopt,
-                               fmt::format("unknown key, expected one of {}{}", fmt::join(keys, ", "),
-                                           did_you_mean(entry.name, keys))});
-    }
-
-    void require_word(MapEntry const& entry, std::string const& word) {
-        if (!entry.value.IsScalar() || entry.value.Scalar() != word)
-            reject(entry, word);
+            reject_name(faults_, entry, keys);
     }
 
     void read_base(MapEntry const& entry) {
@@ -77,7 +62,7 @@ class SweepReader {
 
     void read_settings(MapEntry const& set) {
         if (!set.value.IsMap())
-            return reject(set, "a map of dotted keys, e.g. {" + example_key() + ": 1}");
+            return reject(faults_, set, "a map of dotted keys, e.g. {" + example_key() + ": 1}");
         for (MapEntry const& entry : read_entries(set.value, "set.", faults_))
             if (Key const* const key = cells_.key(entry.name, entry.line))
                 if (auto const cell = cells_.cell(*key, entry.value, entry.line)) {
@@ -88,7 +73,7 @@ class SweepReader {
 
     void read_dimensions(MapEntry const& list) {
         if (!list.value.IsSequence() || list.value.size() == 0)
-            return reject(list, "a list with at least one dimension");
+            return reject(faults_, list, "a list with at least one dimension");
         for (YAML::Node const& item : list.value) {
             int const line = item.Mark().is_null() ? list.line : item.Mark().line + 1;
             if (auto dimension = read_dimension(item, line, cells_)) {
@@ -105,15 +90,6 @@ class SweepReader {
                                fmt::format("stands twice, expected once (first in line {})", first->second)});
     }
 
-    void throw_faults() {
-        std::stable_sort(faults_.begin(), faults_.end(),
-                         [](KeyFault const& a, KeyFault const& b) { return a.line < b.line; });
-        std::vector<std::string> messages;
-        for (KeyFault const& fault : faults_)
-            messages.push_back(fmt::format("{}:{}: {}", sweep_.file, fault.line, fault.text()));
-        throw_first(messages);
-    }
-
     void check_size() const {
         double count = 1;
         for (Dimension const& dimension : sweep_.dimensions)
@@ -126,14 +102,14 @@ class SweepReader {
     KeyFaults faults_;
     KeyCells cells_;
     Sweep sweep_;
-    std::set<std::string> given_;
+    std::vector<std::string> given_;
     std::map<std::string, int> columns_;
 };
 
 }  // namespace
 
 Sweep read_sweep_file(std::filesystem::path const& path) {
-    return SweepReader(path).sweep(load_document(path, "a sweep file", {keys.begin(), keys.end()}));
+    return SweepReader(path).sweep(load_document(path, "a sweep file", keys));
 }
 
 }  // namespace dataflow::sweeps

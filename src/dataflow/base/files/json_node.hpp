@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "dataflow/base/json.hpp"
-#include "faster/dataflow_names.hpp"
 
-namespace faster::bop {
+namespace dataflow::io {
 
 /// A value of a JSON file that knows its place in it, for messages: "FILE: 12[3].cam_R_m2c = FOUND, expected EXPECTED".
 /// Every function throws InputError if the value is not what is asked for. Keeps a reference to the value.
@@ -20,11 +19,13 @@ class JsonNode {
 
     JsonNode at(std::string const& key) const;
     std::optional<JsonNode> find(std::string const& key) const;
-    std::vector<JsonNode> items() const;
-    std::vector<std::pair<int, JsonNode>> numbered() const;  ///< members of an object whose keys are integers from 0
+    std::vector<JsonNode> items() const;                            ///< of an array
+    std::vector<std::pair<std::string, JsonNode>> members() const;  ///< of an object
+    std::vector<std::pair<int, JsonNode>> numbered() const;         ///< those whose keys are integers from 0
 
-    bool is_null() const { return value_->is_null(); }
+    Json const& value() const { return *value_; }
     int integer(int min) const;  ///< 2.0 is one, too
+    std::uint64_t unsigned_integer(std::uint64_t min, std::uint64_t max) const;
     double number() const;
     double number_above_zero() const;
     std::vector<double> numbers(std::size_t count) const;  ///< an array of them, or of arrays of them: rows
@@ -43,4 +44,4 @@ class JsonNode {
     Json const* value_;
 };
 
-}  // namespace faster::bop
+}  // namespace dataflow::io

@@ -1,4 +1,4 @@
-#include "poses/bop/json_node.hpp"
+#include "dataflow/base/files/json_node.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -8,9 +8,8 @@
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
-#include "faster/dataflow_names.hpp"
 
-namespace faster::bop {
+namespace dataflow::io {
 namespace {
 
 std::vector<std::string> keys_of(Json const& object) {
@@ -62,14 +61,20 @@ std::vector<JsonNode> JsonNode::items() const {
     return items;
 }
 
-std::vector<std::pair<int, JsonNode>> JsonNode::numbered() const {
+std::vector<std::pair<std::string, JsonNode>> JsonNode::members() const {
     require_object();
-    std::vector<std::pair<int, JsonNode>> members;
-    for (auto const& [key, value] : value_->items()) {
-        if (auto const number = integer_of(key))  // others are remarks
-            members.emplace_back(*number, member(key, value));
-    }
+    std::vector<std::pair<std::string, JsonNode>> members;
+    for (auto const& [key, value] : value_->items())
+        members.emplace_back(key, member(key, value));
     return members;
+}
+
+std::vector<std::pair<int, JsonNode>> JsonNode::numbered() const {
+    std::vector<std::pair<int, JsonNode>> numbered;
+    for (auto const& [key, node] : members())
+        if (auto const number = integer_of(key))  // others are remarks
+            numbered.emplace_back(*number, node);
+    return numbered;
 }
 
 int JsonNode::integer(int min) const {
@@ -78,6 +83,12 @@ int JsonNode::integer(int min) const {
     if (given != std::floor(given) || given < min || given > max)
         fail(fmt::format("an integer from {}", min));
     return static_cast<int>(given);
+}
+
+std::uint64_t JsonNode::unsigned_integer(std::uint64_t min, std::uint64_t max) const {
+    if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() < min || value_->get<std::uint64_t>() > max)
+        fail(fmt::format("an integer in {}..{}", min, max));
+    return value_->get<std::uint64_t>();
 }
 
 double JsonNode::number() const {
@@ -113,11 +124,11 @@ std::string JsonNode::text() const {
 }
 
 void JsonNode::fail(std::string const& expected) const {
-    complain(fmt::format("{}, expected {}", io::shown(*value_), expected), " = ");
+    complain(fmt::format("{}, expected {}", shown(*value_), expected), " = ");
 }
 
 void JsonNode::complain(std::string const& what, char const* after_name) const {
     throw InputError(fmt::format("{}: {}{}{}", file_, name_, name_.empty() ? "" : after_name, what));
 }
 
-}  // namespace faster::bop
+}  // namespace dataflow::io

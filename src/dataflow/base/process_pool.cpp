@@ -15,16 +15,13 @@
 #include <unistd.h>
 #include <utility>
 
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
 
 namespace dataflow::processes {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Signals wait, for the thread that makes one and what it forks meanwhile: until a child has let them through, its
 /// handlers would tell the parent.
@@ -174,7 +171,7 @@ class Child {
     std::size_t number_;
     double time_limit_s_;
     std::uint64_t most_output_bytes_;
-    Clock::time_point start_ = Clock::now();
+    HostClock::time_point start_ = HostClock::now();
     pid_t process_ = -1;
     int pipe_ = -1;
     bool is_broken_ = false;  // the pipe

@@ -29,6 +29,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/signal_watch.hpp"
 
@@ -41,7 +42,6 @@ namespace beast = boost::beast;
 namespace http = boost::beast::http;
 using asio::ip::tcp;
 using boost::system::error_code;
-using SteadyClock = std::chrono::steady_clock;
 
 constexpr char const* this_host = "127.0.0.1";
 constexpr std::uint32_t most_bytes_of_header = 1U << 14U;
@@ -100,7 +100,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     Connection(tcp::socket socket, Connections& all) : stream_(std::move(socket)), all_(all) {}
 
     void read() {
-        waits_since_ = SteadyClock::now();
+        waits_since_ = HostClock::now();
         parser_.emplace();
         parser_->header_limit(most_bytes_of_header);
         parser_->body_limit(most_bytes_of_body);
@@ -114,7 +114,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
         stream_.socket().close(ignored);
     }
     /// Since when a whole request has been waited for; nothing while one is answered.
-    std::optional<SteadyClock::time_point> waits_since() const { return waits_since_; }
+    std::optional<HostClock::time_point> waits_since() const { return waits_since_; }
 
   private:
     void has_read(error_code const& error);
@@ -128,7 +128,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     beast::flat_buffer buffer_{most_bytes_of_buffer};
     std::optional<http::request_parser<http::string_body>> parser_;
     std::optional<Response> response_;
-    std::optional<SteadyClock::time_point> waits_since_;
+    std::optional<HostClock::time_point> waits_since_;
     std::array<char, 4096> drained_{};
 };
 
@@ -304,8 +304,8 @@ class ExploreServer::Http {
 
     /// One that takes long is for nobody any more, and this program has nothing of it half-written.
     void leave_answers_alone() const {
-        auto const end = SteadyClock::now() + time_of_end;
-        while (connections_.is_at_work() && SteadyClock::now() < end)
+        auto const end = HostClock::now() + time_of_end;
+        while (connections_.is_at_work() && HostClock::now() < end)
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         if (connections_.is_at_work())
             _exit(EXIT_SUCCESS);

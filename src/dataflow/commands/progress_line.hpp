@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "dataflow/base/host_clock.hpp"
+
 namespace dataflow {
 
 /// What is done so far and how long the rest may take: on the terminal's last line, or, when stdout is no terminal, as
@@ -19,8 +21,6 @@ class ProgressLine {
     void show(std::uint64_t done, std::uint64_t all);
 
   private:
-    using HostClock = std::chrono::steady_clock;
-
     void show_on_terminal(std::uint64_t done, std::uint64_t all);
     std::string time_left(std::uint64_t done, std::uint64_t all) const;
 

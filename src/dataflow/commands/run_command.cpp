@@ -1,7 +1,6 @@
 #include "dataflow/commands/run_command.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/base/program_name.hpp"
@@ -128,11 +128,6 @@ void write_deadlock_page(io::OutputFile const& file, std::string const& config,
 }
 
 namespace fs = std::filesystem;
-using HostClock = std::chrono::steady_clock;
-
-double seconds_since(HostClock::time_point start) {
-    return std::chrono::duration<double>(HostClock::now() - start).count();
-}
 
 std::vector<Sensitivity> work_out_sensitivities(replay::RecordedRun const& recorded, LoadedConfig const& loaded) {
     ProgressLine progress("retimings");

@@ -1,19 +1,17 @@
 #include "dataflow/commands/run_size.hpp"
 
-#include <chrono>
 #include <cstdint>
 #include <fmt/format.h>
 #include <optional>
 #include <sstream>
 
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/process_pool.hpp"
 #include "dataflow/commands/work_size.hpp"
 
 namespace dataflow {
 
 namespace {
-
-using HostClock = std::chrono::steady_clock;
 
 constexpr std::size_t fewest_samples = 10;  ///< of a run that is timed
 constexpr double surely_timed_s = 0.2;      ///< beside which making the cores takes no time
@@ -37,7 +35,7 @@ std::optional<TimedSamples> time_samples(RunConfig const& config, Workload& work
         options.progress = [&done](std::uint64_t count) { done = count; };
         auto const start = HostClock::now();
         simulate(config, workload, options);
-        return fmt::format("{} {}", done, std::chrono::duration<double>(HostClock::now() - start).count());
+        return fmt::format("{} {}", done, seconds_since(start));
     };
     processes::SignalWatch const watch;
     processes::Outcome const outcome = processes::run_all({task}, 1, watch).front();

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <fmt/format.h>
 #include <memory>
 #include <string>
@@ -7,6 +6,7 @@
 
 #include "dataflow/base/files/atomic_folder.hpp"
 #include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/base/program_name.hpp"
@@ -98,9 +98,9 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
     Machine const machine = machine_of(changed.config);
     require_no_hand_over(machine);
     announce_retimings("size-fifos", recorded.run, machine, retimings_of(request, machine), request.force);
-    auto const start = std::chrono::steady_clock::now();
+    auto const start = HostClock::now();
     sizing::Sizing const sizing = worked_out(request, recorded, changed.config);
-    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    double const seconds = seconds_since(start);
     if (folder)
         write_files(request, sizing, *folder);
     say("{}\nretimed {} times a core, in {:.1f} s\n", sizing::sizing_text(sizing), sizing.retimed_cores, seconds);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <fmt/format.h>
 #include <memory>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/json.hpp"
 #include "dataflow/commands/command_paths.hpp"
@@ -79,12 +79,12 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
         request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out);
     Machine const machine = machine_of(changed.config);
     announce(size_of_retimings("whatif", recorded.run, machine, 1), request.force);
-    auto const start = std::chrono::steady_clock::now();
+    auto const start = HostClock::now();
     RunStatistics run = request.critical_path
                             ? replay::retime_with_path({recorded.run, recorded.run.lead(machine)}, machine)
                             : replay::retime(recorded.run, machine);
     run.warnings = recorded_warnings(recorded);
-    host.simulate_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    host.simulate_seconds = seconds_since(start);
     if (run.deadlocked()) {
         warn("{}", report::deadlock_report(run));
         if (folder) {
@@ -168,10 +168,10 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
 /// Returns the exit code: exit_deadlock if the configuration deadlocks, unless it is one of a matrix. Throws InputError
 /// on bad input.
 int whatif(WhatifRequest const& request) {
-    auto const start = std::chrono::steady_clock::now();
+    auto const start = HostClock::now();
     events::EventFile const recorded = events::read_event_file(request.events);
     report::HostTime host;
-    host.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    host.build_seconds = seconds_since(start);
     LoadedConfig const changed = events::retimed_config(recorded.loaded, request.overrides);
     return request.matrix.empty() ? retime_one(request, recorded, changed, host)
                                   : retime_matrix(request, recorded, changed);

@@ -1,8 +1,8 @@
 #include "dataflow/commands/work_size.hpp"
 
-#include <chrono>
 #include <fmt/format.h>
 
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/host_memory.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
@@ -109,13 +109,12 @@ void announce(WorkSize const& size, bool force) {
 
 void announce_retimings(std::string const& command, replay::RecordedRun const& run, Machine const& machine,
                         double retimings, bool force) {
-    using HostClock = std::chrono::steady_clock;
     WorkSize size = size_of_retimings(command, run, machine, retimings);
     if (!force)
         require_memory(size);
     auto const start = HostClock::now();
     replay::retime(run, machine);
-    double const seconds = std::chrono::duration<double>(HostClock::now() - start).count();
+    double const seconds = seconds_since(start);
     size.seconds = seconds * retimings / static_cast<double>(jobs_or_host_cores(0));
     announce(size, force);
 }

@@ -1,12 +1,13 @@
 #include "poses/commands/experiment_estimates.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <fmt/format.h>
 #include <tuple>
 
+#include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/fnv1a.hpp"
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/run/config/key_value.hpp"
 #include "dataflow/run/config/resolved_config.hpp"
 #include "faster/config/faster_config.hpp"
@@ -145,7 +146,7 @@ estimation::Scene scene_of(WantedEstimate const& wanted) {
 }
 
 experiments::EstimateResult estimated(WantedEstimate const& wanted) {
-    auto const start = std::chrono::steady_clock::now();
+    auto const start = HostClock::now();
     LoadedConfig const& loaded = wanted.method->loaded;
     EstimatorConfig const& config = estimator_of(loaded.config);
     estimation::Scene scene = scene_of(wanted);
@@ -168,8 +169,8 @@ experiments::EstimateResult estimated(WantedEstimate const& wanted) {
     result.truth_weight = truth_weight(scene, pose, config, *scorer);
     result.pose = scene.own(pose);
     result.weight = estimate.weight;
-    result.verdict = name_of(verdict_of(scene, estimate.weight, config));
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.verdict = enumerator_name(verdict_of(scene, estimate.weight, config));
+    result.seconds = seconds_since(start);
     return result;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <fmt/format.h>
 #include <iterator>
@@ -12,6 +11,7 @@
 #include "dataflow/base/files/atomic_folder.hpp"
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/files/text_file.hpp"
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/commands/command_paths.hpp"
@@ -20,10 +20,10 @@
 #include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "dataflow/run/config/config_sources.hpp"
 #include "dataflow/run/config/load_config.hpp"
 #include "faster/config/accelerator_config.hpp"
-#include "faster/config/enum_names.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
@@ -189,13 +189,7 @@ std::string grip_json(GripComparison const& comparison) {
     return io::text_of(summary, 2) + "\n";
 }
 
-using HostClock = std::chrono::steady_clock;
-
 io::FolderKind const grip_folder{"scores of the grip baseline", "summary.json", {"scores.csv"}, "faster-grip"};
-
-double seconds_since(HostClock::time_point start) {
-    return std::chrono::duration<double>(HostClock::now() - start).count();
-}
 
 /// A trace has triangles, but no poses to render.
 void require_poses(LoadedConfig const& loaded) {

@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <nanoflann.hpp>
 #include <vector>
 
 #include "faster/dataflow_names.hpp"
+#include "poses/grip/point_tree.hpp"
 #include "poses/grip/rendered_object.hpp"
 
 namespace faster::estimation {
@@ -19,17 +19,7 @@ constexpr std::size_t least_pairs = 30, most_points = 2000;
 constexpr double first_reach_m = 0.02, last_reach_m = 0.006, reach_decay = 0.85, close_m = 0.008;
 constexpr double small_step_m = 2e-5, small_turn_rad = 2e-4;
 
-/// Readings as points, as nanoflann asks for them.
-struct Readings {
-    std::vector<Eigen::Vector3d> points;
-
-    std::size_t kdtree_get_point_count() const { return points.size(); }
-    double kdtree_get_pt(std::size_t index, std::size_t axis) const {
-        return points[index](static_cast<Eigen::Index>(axis));
-    }
-    template <class Box> bool kdtree_get_bbox(Box& /*box*/) const { return false; }
-};
-using ReadingTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Readings>, Readings, 3>;
+using Readings = std::vector<Eigen::Vector3d>;
 
 /// A point of the surface that the camera would see.
 struct SurfacePoint {
@@ -44,7 +34,7 @@ Readings readings_around(grip::PointCloud const& cloud, grip::RenderedObject con
     for (int row = std::max(0, object.first_row - margin_px); row < bottom; ++row)
         for (int col = std::max(0, object.first_col - margin_px); col < right; ++col)
             if (grip::has_point(cloud.at(row, col)))
-                readings.points.push_back(cloud.at(row, col));
+                readings.push_back(cloud.at(row, col));
     return readings;
 }
 
@@ -79,16 +69,12 @@ struct Step {
 /// The surface at one pose, and the readings near it.
 class Matching {
   public:
-    Matching(Stimulus const& observed, ReadingTree const& tree, Readings const& readings, Pose const& pose)
+    Matching(Stimulus const& observed, grip::PointTree const& tree, Readings const& readings, Pose const& pose)
         : origin_(pose.translation) {
         Camera const& camera = observed.posed.camera;
         for (SurfacePoint const& of_surface : surface_of(grip::render(observed.posed.mesh, pose, camera), camera)) {
-            std::size_t index = 0;
-            double square = 0;
-            nanoflann::KNNResultSet<double> nearest(1);
-            nearest.init(&index, &square);
-            tree.findNeighbors(nearest, of_surface.point.data(), nanoflann::SearchParams());
-            pairs_.push_back({of_surface, readings.points[index], std::sqrt(square)});
+            grip::PointTree::Nearest const nearest = tree.nearest(of_surface.point);
+            pairs_.push_back({of_surface, readings[nearest.index], std::sqrt(nearest.squared_distance)});
         }
     }
 
@@ -168,10 +154,9 @@ Pose moved(Pose pose, Step const& step) {
 Pose refined_by_icp(Stimulus const& observed, Pose const& start) {
     Readings const readings = readings_around(grip::observed_cloud(observed),
                                               grip::render(observed.posed.mesh, start, observed.posed.camera));
-    if (readings.points.size() < least_pairs)
+    if (readings.size() < least_pairs)
         return start;
-    ReadingTree tree(3, readings);
-    tree.buildIndex();
+    grip::PointTree const tree(readings);
     Pose pose = start;
     double reach_m = first_reach_m;
     for (int round = 0; round < most_rounds; ++round) {

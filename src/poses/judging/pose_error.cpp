@@ -4,33 +4,17 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <nanoflann.hpp>
+
+#include "poses/grip/point_tree.hpp"
 
 namespace faster::poses {
 
 namespace {
 
-/// The points as nanoflann asks for them.
-struct Cloud {
-    Points const& points;
-
-    std::size_t kdtree_get_point_count() const { return points.size(); }
-    double kdtree_get_pt(std::size_t i, std::size_t dimension) const {
-        return points[i][static_cast<Eigen::Index>(dimension)];
-    }
-    template <class Box> bool kdtree_get_bbox(Box& /*box*/) const { return false; }  // it finds out itself
-};
-
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3>;
-
-double nearest_distance(Tree const& tree, Eigen::Vector3d const& point) {
-    std::size_t index = 0;
-    double squared_distance = 0;
-    nanoflann::KNNResultSet<double> nearest(1);
-    nearest.init(&index, &squared_distance);
-    tree.findNeighbors(nearest, point.data(), nanoflann::SearchParams());
-    bool const is_beyond_doubles = squared_distance == std::numeric_limits<double>::max();  // nothing is found there
-    return is_beyond_doubles ? std::numeric_limits<double>::infinity() : std::sqrt(squared_distance);
+double nearest_distance(grip::PointTree const& tree, Eigen::Vector3d const& point) {
+    double const square = tree.nearest(point).squared_distance;
+    bool const is_beyond_doubles = square == std::numeric_limits<double>::max();
+    return is_beyond_doubles ? std::numeric_limits<double>::infinity() : std::sqrt(square);
 }
 
 Points moved(Points const& points, Pose const& pose) {
@@ -58,8 +42,7 @@ double largest_squared_distance(Points const& places, Points const& points, Pose
 }  // namespace
 
 double mean_nearest_distance(Points const& from, Points const& to) {
-    Cloud const cloud{to};
-    Tree const tree(3, cloud);
+    grip::PointTree const tree(to);
     double sum = 0;
     for (Eigen::Vector3d const& point : from)
         sum += nearest_distance(tree, point);
@@ -67,8 +50,7 @@ double mean_nearest_distance(Points const& from, Points const& to) {
 }
 
 double largest_nearest_distance(Points const& from, Points const& to) {
-    Cloud const cloud{to};
-    Tree const tree(3, cloud);
+    grip::PointTree const tree(to);
     double largest = 0;
     for (Eigen::Vector3d const& point : from)
         largest = std::max(largest, nearest_distance(tree, point));

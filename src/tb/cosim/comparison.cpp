@@ -1,11 +1,11 @@
 #include "tb/cosim/comparison.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <fmt/format.h>
 #include <memory>
 #include <utility>
 
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/tools/recording/event_merge.hpp"
 #include "dataflow/tools/recording/vcd_file.hpp"
 #include "dataflow/tools/recording/write_waveform.hpp"
@@ -112,9 +112,9 @@ class Comparison {
         if (!compared_.difference)
             compare_maps();
         expected_.writes = expected_.reads = 0;
-        auto const start = std::chrono::steady_clock::now();
+        auto const start = HostClock::now();
         twin_.step();
-        compared_.twin_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        compared_.twin_seconds += seconds_since(start);
         ++compared_.cycles;
         if (progress_ && compared_.cycles % told_cycles == 0)
             progress_(compared_.cycles);

@@ -7,6 +7,19 @@ namespace dataflow::recording {
 using Kind = Event::Kind;
 using timing::ProcessTiming;
 
+namespace {
+
+Event made(Cycles cycle, Kind kind, std::uint32_t item = 0, std::uint64_t value = 0) {
+    Event event;
+    event.cycle = cycle;
+    event.kind = kind;
+    event.item = item;
+    event.value = static_cast<std::int64_t>(value);
+    return event;
+}
+
+}  // namespace
+
 CoreCapture::CoreCapture(Machine const& machine, timing::CoreTiming& core, std::vector<TokenTap> const& taps,
                          CoreShare share, std::uint64_t tokens_in_use, Spools& spools)
     : machine_(machine),
@@ -29,7 +42,7 @@ void CoreCapture::number_parts() {
         std::vector<std::uint32_t>& fifos = fifos_at_.emplace_back();
         for (unsigned port = 0; port < process.port_count(); ++port) {
             fifos.push_back(static_cast<std::uint32_t>(core_.number_of(process.fifo(port))));
-            if (process.writes(port) && !process.fifo(port).is_memory())
+            if (process.writes(port) && !process.fifo(port).is_stream())
                 writers_[fifos.back()] = process.index();
         }
         std::vector<std::uint32_t>& loops = loops_at_.emplace_back();
@@ -65,11 +78,7 @@ void CoreCapture::take_down_loop(ProcessTiming const& process) {
     std::uint64_t const begun = process.iterations() + (process.is_in_iteration() ? 1U : 0U);
     if (begun == 0)
         return;
-    Event event;
-    event.cycle = process.local_time();
-    event.kind = Kind::at_iteration;
-    event.value = static_cast<std::int64_t>(begun - 1);
-    put(process, event);
+    put(process, made(process.local_time(), Kind::at_iteration, 0, begun - 1));
 }
 
 /// Tokens inside are told as writes in the cycles in which they were written. The last ones read may still be in use:
@@ -78,7 +87,7 @@ std::vector<CoreCapture::PastEvent> CoreCapture::past_accesses(ProcessTiming con
     std::vector<PastEvent> accesses;
     for (unsigned port = 0; port < process.port_count(); ++port) {
         timing::FifoTiming const& fifo = process.fifo(port);
-        if (fifo.is_memory())
+        if (fifo.is_stream())
             continue;
         std::uint32_t const number = fifo_at(process, port);
         bool const writes = process.writes(port);
@@ -108,11 +117,7 @@ void CoreCapture::take_down_past(ProcessTiming const& process) {
 }
 
 void CoreCapture::put_read(ProcessTiming const& process, std::uint32_t fifo, Cycles cycle) {
-    Event event;
-    event.cycle = cycle;
-    event.kind = Kind::read;
-    event.item = fifo;
-    put(process, event);
+    put(process, made(cycle, Kind::read, fifo));
 }
 
 /// Events of a process are in the order of their cycles.
@@ -139,26 +144,14 @@ void CoreCapture::finish() {
 }
 
 void CoreCapture::entered_loop(ProcessTiming const& process, unsigned loop, Cycles cycle) {
-    Event event;
-    event.cycle = cycle;
-    event.kind = Kind::enter;
-    event.item = loops_at_[process.index()][loop];
-    put(process, event);
+    put(process, made(cycle, Kind::enter, loops_at_[process.index()][loop]));
 }
 
-void CoreCapture::left_loop(ProcessTiming const& process, Cycles cycle) {
-    Event event;
-    event.cycle = cycle;
-    event.kind = Kind::leave;
-    put(process, event);
-}
+void CoreCapture::left_loop(ProcessTiming const& process, Cycles cycle) { put(process, made(cycle, Kind::leave)); }
 
 void CoreCapture::iterated(ProcessTiming const& process, Cycles cycle, std::uint64_t first, std::uint64_t count,
                            Cycles stride) {
-    Event event;
-    event.cycle = cycle;
-    event.kind = Kind::iterate;
-    event.value = static_cast<std::int64_t>(first);
+    Event event = made(cycle, Kind::iterate, 0, first);
     event.count = count;
     event.stride = static_cast<std::uint32_t>(stride);
     put(process, event);
@@ -180,17 +173,12 @@ void CoreCapture::stalled(ProcessTiming const& process, unsigned port, Cycles fr
 }
 
 void CoreCapture::put_stall(ProcessTiming const& process, unsigned port, Cycles from, Cycles until) {
-    Event event;
-    event.cycle = from;
-    event.kind = Kind::stall;
-    event.item = fifo_at(process, port);
-    event.value = static_cast<std::int64_t>(until);
-    spool(process.index(), event);
+    spool(process.index(), made(from, Kind::stall, fifo_at(process, port), until));
 }
 
 void CoreCapture::accessed(ProcessTiming const& process, timing::Ports ports, Cycles cycle) {
     ports.each([&](unsigned port) {
-        if (process.fifo(port).is_memory())
+        if (process.fifo(port).is_stream())
             return;
         if (process.writes(port))
             put_write(process, fifo_at(process, port), process.fifo(port).writes(), cycle);
@@ -226,14 +214,8 @@ void CoreCapture::let_out(ProcessTiming const& process, unsigned port, Cycles du
 void CoreCapture::put_late(ProcessTiming const& process, std::uint32_t fifo, std::uint64_t number, Cycles due,
                            Cycles cycle) {
     std::deque<Event>& late = late_[process.index()];
-    if (cycle > due) {
-        Event stall;
-        stall.cycle = due;
-        stall.kind = Kind::stall;
-        stall.item = fifo;
-        stall.value = static_cast<std::int64_t>(cycle);
-        late.push_back(stall);
-    }
+    if (cycle > due)
+        late.push_back(made(due, Kind::stall, fifo, cycle));
     std::vector<Event> const token = write_of(fifo, number, cycle);
     late.insert(late.end(), token.begin(), token.end());
 }
@@ -258,11 +240,7 @@ void CoreCapture::put_stamp(ProcessTiming const& process, std::size_t stamp) {
 void CoreCapture::put_sample(Event::Kind kind, std::size_t sample, Cycles cycle) {
     if (sample >= share_.count || cycle > last_)
         return;
-    Event event;
-    event.cycle = cycle;
-    event.kind = kind;
-    event.value = static_cast<std::int64_t>(share_.first + sample);
-    (kind == Kind::begin ? spools_.begins : spools_.ends).put(event);
+    (kind == Kind::begin ? spools_.begins : spools_.ends).put(made(cycle, kind, 0, share_.first + sample));
 }
 
 }  // namespace dataflow::recording

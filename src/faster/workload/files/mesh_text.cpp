@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace faster::files {
@@ -116,6 +117,19 @@ std::string_view MeshText::word_of_row() {
         if (!next_line())
             fail_at_end();
     }
+}
+
+Eigen::Vector3d MeshText::coordinates(std::size_t vertex) {
+    Eigen::Vector3d place;
+    for (double& coordinate : place) {
+        std::string_view const given = word();
+        auto const number = number_in(given);
+        if (!number)
+            fail(fmt::format("vertex {} (counted from 0) has {} as a coordinate, expected three numbers", vertex,
+                             given.empty() ? "nothing" : shortened(given)));
+        coordinate = *number;
+    }
+    return place;
 }
 
 std::string MeshText::place() const { return fmt::format("{}:{}", path_.string(), line_); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -39,6 +40,9 @@ class MeshText {
 
     /// The next word of this line or a later one. Fails at the end of the text.
     std::string_view word_of_row();
+
+    /// Three numbers, the next words of the line, of the vertex with this number. Fails if they are none.
+    Eigen::Vector3d coordinates(std::size_t vertex);
 
     /// The number of the line, from 1.
     std::size_t line() const { return line_; }

@@ -58,15 +58,7 @@ class ObjReader {
     };
 
     void read_vertex() {
-        Eigen::Vector3d vertex;
-        for (double& coordinate : vertex) {
-            std::string_view const word = text_.word();
-            auto const number = number_in(word);
-            if (!number)
-                text_.fail(fmt::format("vertex {} (counted from 0) has {} as a coordinate, expected three numbers",
-                                       mesh_.vertices(), word.empty() ? "nothing" : shortened(word)));
-            coordinate = *number;
-        }
+        Eigen::Vector3d const vertex = text_.coordinates(mesh_.vertices());
         mesh_.add_vertex(vertex, [this] { return text_.place(); });
     }
 

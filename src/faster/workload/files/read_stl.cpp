@@ -5,7 +5,6 @@
 
 #include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/little_endian.hpp"
-#include "dataflow/base/printable.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_readers.hpp"
 #include "faster/workload/files/mesh_text.hpp"
@@ -112,15 +111,7 @@ class StlText {
     void read_vertex() {
         if (!is_in_loop_)
             text_.fail("a vertex outside of a loop, expected outer loop before");
-        Eigen::Vector3d vertex;
-        for (double& coordinate : vertex) {
-            std::string_view const word = text_.word();
-            auto const number = number_in(word);
-            if (!number)
-                text_.fail(fmt::format("vertex {} (counted from 0) has {} as a coordinate, expected three numbers",
-                                       mesh_.vertices(), word.empty() ? "nothing" : shortened(word)));
-            coordinate = *number;
-        }
+        Eigen::Vector3d const vertex = text_.coordinates(mesh_.vertices());
         corners_.push_back(static_cast<std::uint32_t>(mesh_.vertices()));
         mesh_.add_vertex(vertex, [this] { return text_.place(); });
     }

@@ -4,8 +4,8 @@
 
 #include "faster/config/lane_rows.hpp"
 #include "faster/data/fixed_point.hpp"
-#include "modules/inlier_unit/touched_box.hpp"
 #include "modules/inlier_unit/valid_depth_table.hpp"
+#include "modules/rasterizer/touched_box.hpp"
 
 namespace faster::touched_region_test {
 

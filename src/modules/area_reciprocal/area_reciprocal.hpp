@@ -20,7 +20,6 @@ class AreaReciprocal : public sc_core::sc_module {
 
     SC_HAS_PROCESS(AreaReciprocal);
     AreaReciprocal(sc_core::sc_module_name const& name, CoreContext const& core);
-    ProcessClock const& clock() const { return clock_; }
 
   private:
     void end_of_elaboration() override;

@@ -4,7 +4,7 @@
 
 namespace faster {
 
-/// Calls with who wants to know what iterations access, or with one who does not; mostly nobody does.
+/// Calls `call` with the watcher of what iterations access, or with NoWriteDistances if there is none, as in most runs.
 template <class Call> decltype(auto) with_watcher(WriteDistances* watcher, Call call) {
     if (watcher != nullptr)
         return call(*watcher);

@@ -10,8 +10,9 @@
 
 namespace faster {
 
-/// Merges the edges of single triangles into the contour of the object: thesis 5.4 and A.2, and nothing else.
-/// EdgeMapBuilderVariant has what keys add. What a token does to the two maps is in algorithms/dual_map.hpp.
+/// Merges the edges of single triangles into the contour of the object: thesis 5.4 and A.2. Of the
+/// keys it knows `edge_map.flush_last` alone; EdgeMapBuilderVariant has what the others add. What a token does to the
+/// two maps is in algorithms/dual_map.hpp.
 ///   in    edge_token_in  object and edge pixels in any order, End per sample
 ///   out   edge_map_out   W x W bits per sample, row-major
 ///   time  loop `clear`, loop `token` (object tokens take two iterations), loop `output`

@@ -5,10 +5,10 @@
 #include "faster/config/clear_design.hpp"
 #include "modules/core/conditions.hpp"
 #include "modules/core/described_parts.hpp"
+#include "modules/core/read_corners.hpp"
 #include "modules/core/token_widths.hpp"
 #include "modules/edge_map_builder/edge_map_builder.hpp"
 #include "modules/edge_map_builder/map_accesses.hpp"
-#include "modules/rasterizer/read_corners.hpp"
 
 namespace faster {
 
@@ -47,7 +47,7 @@ ModuleDescription EdgeMapBuilderVariant::describe(AcceleratorConfig const& confi
 
 EdgeMapBuilderVariant::EdgeMapBuilderVariant(sc_core::sc_module_name const& name, CoreContext const& core,
                                              EdgeMapBuffers& buffers)
-    : sc_module(name), core_(core), clock_(core.core, "edge_map_builder"), buffers_(buffers), read_out_(core, clock_) {
+    : sc_module(name), core_(core), clock_(core.core, "edge_map_builder"), buffers_(buffers), read_out_(clock_) {
     SC_THREAD(run);
 }
 

@@ -21,7 +21,7 @@ ModuleDescription EdgeMapOutput::describe(AcceleratorConfig const& config) {
 }
 
 EdgeMapOutput::EdgeMapOutput(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers)
-    : sc_module(name), core_(core), clock_(core.core, "edge_map_output"), buffers_(buffers), read_out_(core, clock_) {
+    : sc_module(name), core_(core), clock_(core.core, "edge_map_output"), buffers_(buffers), read_out_(clock_) {
     SC_THREAD(run);
 }
 
@@ -40,7 +40,7 @@ void EdgeMapOutput::run() {
     }
 }
 
-/// Whoever takes the next buffer has done with the one before.
+/// Taking a full buffer frees the other one, which has been read out by now.
 FullMaps EdgeMapOutput::take() {
     Step const step(clock_);
     FullMaps const full = map_full_in.read();

@@ -26,7 +26,6 @@ class EdgeMapOutput : public sc_core::sc_module {
 
     SC_HAS_PROCESS(EdgeMapOutput);
     EdgeMapOutput(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers);
-    ProcessClock const& clock() const { return clock_; }
 
   private:
     void end_of_elaboration() override;

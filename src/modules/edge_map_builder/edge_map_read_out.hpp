@@ -16,13 +16,12 @@ class EdgeMapReadOut {
     static FifoEnd described_end(AcceleratorConfig const& config);
     static LoopDescription described_loop(AcceleratorConfig const& config);
 
-    EdgeMapReadOut(CoreContext const& core, ProcessClock& clock) : core_(core), clock_(clock) {}
+    explicit EdgeMapReadOut(ProcessClock& clock) : clock_(clock) {}
     /// When the process's clock is connected.
     void connect(ClockedFifo<std::uint8_t>& out);
     void send(datapath::EdgeMapPolicy const& maps, LaneRows const& rows);
 
   private:
-    CoreContext const& core_;
     ProcessClock& clock_;
     TokenLoop<Reads<>, Writes<std::uint8_t>> output_;
 };

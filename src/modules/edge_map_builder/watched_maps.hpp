@@ -9,7 +9,7 @@
 
 namespace faster {
 
-/// What tokens do to the maps of an algorithm, told to those who want to know which words that accesses: mostly nobody.
+/// Runs tokens through the maps of an algorithm and, if hazards are watched, reports the words that iterations access.
 /// Per sample: enter(); take() until the last, unless there are no tokens; or take_group() for all.
 class WatchedMaps {
   public:

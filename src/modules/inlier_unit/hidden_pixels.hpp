@@ -23,7 +23,7 @@ class HiddenSweep {
 
     std::size_t side_;
     unsigned near_limit_;  ///< 2.0 m: depths below it count as drawn
-    unsigned tolerance_;   ///< 2/256 m, in codes
+    unsigned tolerance_;   ///< 1/128 m, in codes
 };
 
 }  // namespace faster::datapath

@@ -43,7 +43,7 @@ void InlierSweep::run() {
     }
 }
 
-/// Whoever takes the next buffer has done with the one before.
+/// Taking a full buffer frees the other one, which has been read out by now.
 FullDepthBuffer InlierSweep::take() {
     Step const step(clock_);
     FullDepthBuffer const full = depth_full_in.read();

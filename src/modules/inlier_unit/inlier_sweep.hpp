@@ -34,7 +34,6 @@ class InlierSweep : public sc_core::sc_module {
 
     SC_HAS_PROCESS(InlierSweep);
     InlierSweep(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers);
-    ProcessClock const& clock() const { return clock_; }
 
   private:
     void end_of_elaboration() override;

@@ -52,7 +52,7 @@ void InlierUnit::end_of_elaboration() {
                       &channel_of(command_in));
     sweep_.connect(clock_, "sweep", &channel_of(edge_map_in), &channel_of(observed_depth_in),
                    &channel_of(observed_edge_in));
-    watcher_ = clock_.write_distances("fragment", "depth_buffer");
+    distances_ = clock_.write_distances("fragment", "depth_buffer");
 }
 
 void InlierUnit::run() {
@@ -100,7 +100,7 @@ Command InlierUnit::draw_fragments(std::uint64_t reciprocal, Command command) {
     }
     FragmentDrawing const fragments{depth_unit_, depth_buffer_.data(), static_cast<unsigned>(core_.stimulus.window),
                                     reciprocal};
-    with_watcher(watcher_, [&](auto& watcher) {
+    with_watcher(distances_, [&](auto& watcher) {
         watcher.enter();
         fragment_.run_while([&](std::int64_t z_sum, FragmentIndex const& pixel, Command next) {
             watcher.next_iteration();

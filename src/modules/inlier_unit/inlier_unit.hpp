@@ -51,7 +51,7 @@ class InlierUnit : public sc_core::sc_module {
     SampleCounters counters_;
     TokenLoop<Reads<std::int64_t, FragmentIndex, Command>> fragment_;
     TokenLoop<Reads<std::uint8_t, std::uint16_t, std::uint8_t>> sweep_;
-    WriteDistances* watcher_ = nullptr;  ///< of what fragments access: see with_watcher()
+    WriteDistances* distances_ = nullptr;  ///< of what fragments access: see with_watcher()
 };
 
 }  // namespace faster

@@ -7,10 +7,10 @@
 #include "modules/core/conditions.hpp"
 #include "modules/core/described_parts.hpp"
 #include "modules/core/loop_branches.hpp"
+#include "modules/core/read_corners.hpp"
 #include "modules/core/token_widths.hpp"
 #include "modules/core/watching.hpp"
 #include "modules/inlier_unit/inlier_unit.hpp"
-#include "modules/rasterizer/read_corners.hpp"
 
 namespace faster {
 

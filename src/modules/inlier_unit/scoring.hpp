@@ -22,8 +22,9 @@ class Scoring {
     /// Changes the InlierUnit's ends and loops of this part as the configuration says, and adds those of the flow
     /// fpga_grip. `condition`: under which the module has them.
     static void vary(ModuleDescription& module, AcceleratorConfig const& config, Condition const& condition);
-    /// Adds them to the module whose process this part is.
+    /// Gives these ends and loops to the module whose process this part is.
     static void describe(ModuleDescription& module, AcceleratorConfig const& config);
+    /// Adds the rows of the depth buffer that `neighbour_access: window` keeps.
     static void describe_line_buffer(ModuleDescription& module, AcceleratorConfig const& config);
 
     Scoring(CoreContext const& core, ProcessClock& clock);

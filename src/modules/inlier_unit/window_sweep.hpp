@@ -33,7 +33,7 @@ class WindowSweep {
     ContourDepth contour_depth_;
     unsigned near_limit_;   ///< 2.0 m: depths below it count as drawn
     unsigned valid_limit_;  ///< 3.0 m
-    unsigned tolerance_;    ///< 2/256 m, in codes
+    unsigned tolerance_;    ///< 1/128 m, in codes
 };
 
 }  // namespace faster::datapath

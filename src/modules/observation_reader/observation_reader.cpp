@@ -6,8 +6,8 @@
 #include "faster/dataflow_names.hpp"
 #include "modules/core/conditions.hpp"
 #include "modules/core/memory_entries.hpp"
+#include "modules/core/read_corners.hpp"
 #include "modules/core/token_widths.hpp"
-#include "modules/rasterizer/read_corners.hpp"
 
 namespace faster {
 

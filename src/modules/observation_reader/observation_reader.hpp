@@ -31,7 +31,6 @@ class ObservationReader : public sc_core::sc_module {
 
     SC_HAS_PROCESS(ObservationReader);
     ObservationReader(sc_core::sc_module_name const& name, CoreContext const& core);
-    ProcessClock const& clock() const { return clock_; }
 
   private:
     void end_of_elaboration() override;

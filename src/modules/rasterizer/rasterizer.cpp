@@ -106,8 +106,7 @@ inline void Rasterizer::scan_line(datapath::ScanLine const& line) {
     auto silent = static_cast<std::uint32_t>(line.before);
     if (previous_inside_ && silent > 0) {  // the run ended with the last line
         burst_.write_edge(window_.token(line.row, line.first_col, EdgeTokenKind::Edge));
-        if (clock_.lockstep())
-            burst_.hand_over();
+        burst_.hand_over_if(clock_.lockstep());
         clock_.iterate(ports_.edge, 1);
         previous_inside_ = false;
         --silent;
@@ -131,8 +130,7 @@ inline void Rasterizer::scan_run(datapath::ScanLine const& line) {
     bool const flushes = !previous_inside_ && !ends_here;
     bool const leaves = line.after > 0;
     burst_.write_run(line, window_, flushes ? &previous_ : nullptr, leaves);
-    if (clock_.lockstep())
-        burst_.hand_over();
+    burst_.hand_over_if(clock_.lockstep());
     previous_inside_ = !leaves;
     tell_run(clock_, ports_, {line.inside, flushes, leaves, leaves ? line.after - 1 : 0});
 }

@@ -8,11 +8,11 @@
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
-#include "modules/inlier_unit/touched_box.hpp"
 #include "modules/rasterizer/grouped_line.hpp"
 #include "modules/rasterizer/near_edge_scan.hpp"
 #include "modules/rasterizer/run_iterations.hpp"
 #include "modules/rasterizer/scan_burst.hpp"
+#include "modules/rasterizer/touched_box.hpp"
 #include "modules/rasterizer/zigzag_scan.hpp"
 
 namespace faster {
@@ -94,7 +94,7 @@ class RasterizerVariant : public sc_core::sc_module {
     ClockedFifo<VertexCode>* vertex_ = nullptr;
     ClockedFifo<std::int64_t>* area_ = nullptr;
     ClockedFifo<Command>* command_ = nullptr;
-    ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;  ///< null: in groups, as the next
+    ClockedFifo<FragmentIndex>* fragment_index_ = nullptr;  ///< null with several lanes: see index_groups_
     ClockedFifo<EdgeToken>* edge_token_ = nullptr;          ///< null also where no edges are looked for
     ClockedFifo<DepthGroup>* depth_groups_ = nullptr;
     ClockedFifo<PixelGroup>* index_groups_ = nullptr;

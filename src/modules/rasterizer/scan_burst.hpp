@@ -7,7 +7,6 @@
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
 #include "modules/core/core_context.hpp"
-#include "modules/rasterizer/near_edge_scan.hpp"
 #include "modules/rasterizer/zigzag_scan.hpp"
 
 namespace faster {
@@ -29,8 +28,8 @@ struct WindowPlace {
     static int clamped(std::int64_t offset) { return static_cast<int>(std::clamp<std::int64_t>(offset, -8192, 8192)); }
 };
 
-/// The tokens of a triangle's scan, written straight into the channels. A core whose edges are not looked for has no
-/// channel of edge tokens; what is written of them goes nowhere, as nobody writes any.
+/// The tokens of a triangle's scan, written straight into the channels. Without a channel of edge tokens (flow
+/// fpga_grip) only write_fragments() may be called.
 class ScanBurst {
   public:
     void connect(ClockedFifo<Command>& command, ClockedFifo<std::int64_t>& depth, ClockedFifo<FragmentIndex>& index,
@@ -123,7 +122,12 @@ class ScanBurst {
         first_depth_ = next_depth_;
         first_token_ = next_token_;
     }
-    /// That, of the last of them.
+    /// `lockstep` needs tokens in the channels before the iterations that write them.
+    void hand_over_if(bool lockstep) {
+        if (lockstep)
+            hand_over();
+    }
+    /// hand_over() at the end of the scan.
     void end() {
         hand_over();
         command_->wake_reader();

@@ -26,7 +26,6 @@ class ResultCollector : public sc_core::sc_module {
     /// By sample of this core.
     std::vector<SampleCounters> const& results() const { return results_; }
     /// Its stamps are the cycles of the result reads: the samples' end cycles.
-    ProcessClock const& clock() const { return clock_; }
 
   private:
     void end_of_elaboration() override;

@@ -24,7 +24,6 @@ class VertexTransform : public sc_core::sc_module {
 
     SC_HAS_PROCESS(VertexTransform);
     VertexTransform(sc_core::sc_module_name const& name, CoreContext const& core);
-    ProcessClock const& clock() const { return clock_; }
 
   private:
     void end_of_elaboration() override;

@@ -169,7 +169,7 @@ Machine make_machine(CoreDescription const& core, MachineSettings const& setting
 
 /// "MODULE.LOOP" whose keys time a loop of a module.
 std::string keyed_loop(ModuleDescription const& module, LoopDescription const& loop);
-/// "MODULE.LOOP" whose keys time the loop with a name within a module. Errors: std::logic_error if it has no such loop.
+/// "MODULE.LOOP" whose keys time the loop with a name within a module. Errors: InputError if it has no such loop.
 std::string keyed_loop(ModuleDescription const& module, std::string const& loop);
 
 /// What keeps a loop from rewinding, as its module has nothing more to do for a call that is over; null: nothing.

@@ -15,7 +15,6 @@ namespace dataflow {
 /// What a configuration asks of one FIFO; keys `accelerator.fifos.NAME.*`. What is not set has the default of the
 /// design's description.
 struct FifoSettings {
-    static constexpr std::uint64_t default_depth = 2;
     std::optional<std::uint64_t> depth;  ///< tokens, >= 1
     std::optional<FifoKind> kind;
     std::optional<Cycles> write_latency;  ///< stage of the writing loop in which a token leaves

@@ -102,8 +102,8 @@ class MemorySystem {
 
     ExternalMemory shape_;
     std::vector<MasterShape> shapes_;
-    /// A core, and processes for which it has been brought something since it went on, a bit each: they go on in a
-    /// cycle at the earliest.
+    /// A core. `woken`: its processes for which something has been brought since it went on, a bit each, of which none
+    /// goes on before a cycle.
     struct Core {
         CoreTiming* timing = nullptr;
         Resume resume;

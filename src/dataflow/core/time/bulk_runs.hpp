@@ -30,7 +30,7 @@ template <class Process, class Port> class BulkRuns : public ProcessRules<Proces
     /// Iterations at hand of a loop that takes from memory, if all that are in its pipeline access what they do: as
     /// long as what they take is there, each does what an iteration does of a loop that takes nothing.
     std::uint32_t alike_iterations() const {
-        if (log_.exhausted() || !is_in_memory_loop())
+        if (log_.exhausted() || !is_in_stream_loop())
             return 0;
         Operation const& operation = log_.front();
         bool const is_plain = operation.kind() == Kind::iterate && operation.own_tail_ports() == 0;
@@ -39,7 +39,7 @@ template <class Process, class Port> class BulkRuns : public ProcessRules<Proces
 
   protected:
     using Base::Base;
-    using Base::is_in_memory_loop;
+    using Base::is_in_stream_loop;
     using Base::iterate_by_step;
     using Base::iterate_in_pipeline;
     using Base::log_;
@@ -77,9 +77,10 @@ template <class Process, class Port> class BulkRuns : public ProcessRules<Proces
     /// what the next ones do, in one step of each. So every step does the same.
     bool is_uniform(Operation const& operation) const {
         PipelinePosition const& pipeline = state_.pipeline;
-        if (!shape_->loops[state_.loop].uses_memory || plan_->phases.size() != 1 || plan_->phases.front().offset > 0 ||
-            self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 || operation.gap() > 0 ||
-            operation.ports() == 0 || operation.count() < 2 || pipeline.alike < plan_->longest_lag)
+        if (!shape_->loops[state_.loop].takes_from_stream || plan_->phases.size() != 1 ||
+            plan_->phases.front().offset > 0 || self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 ||
+            operation.gap() > 0 || operation.ports() == 0 || operation.count() < 2 ||
+            pipeline.alike < plan_->longest_lag)
             return false;
         bool const goes_on = plan_->longest_lag == 0 || state_.delayed(1) == operation.ports();
         return goes_on && are_in_one_step(operation.ports());
@@ -115,7 +116,7 @@ template <class Process, class Port> class BulkRuns : public ProcessRules<Proces
             return iterate_by_step(log_.front());
         if (whole.kind() == Kind::mixed)
             return run_mix(whole);
-        if (is_line(whole) && !is_in_memory_loop())  // where the last port is the first in its set
+        if (is_line(whole) && !is_in_stream_loop())  // where the last port is the first in its set
             return run_line(whole);
         Operation& operation = log_.front();
         return operation.ports() == 0 ? Base::pass_silence(operation) : run_iterations(operation);

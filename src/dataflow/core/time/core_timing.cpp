@@ -33,14 +33,14 @@ void CoreTiming::connect() {
     ends_.assign(fifos_.size(), Ends{});
     for (ProcessTiming const& process : processes_)
         for (unsigned port = 0; port < process.port_count(); ++port) {
-            if (process.fifo(port).is_memory())
+            if (process.fifo(port).is_stream())
                 continue;
             Ends& both = ends_[number_of(process.fifo(port))];
             (process.writes(port) ? both.writer : both.reader) = static_cast<int>(process.index());
         }
     for (ProcessTiming& process : processes_)
         for (unsigned port = 0; port < process.port_count(); ++port) {
-            if (process.fifo(port).is_memory())
+            if (process.fifo(port).is_stream())
                 continue;
             Ends const& both = ends_[number_of(process.fifo(port))];
             int const other = process.writes(port) ? both.reader : both.writer;
@@ -64,7 +64,7 @@ void CoreTiming::be_blank_copy_of(CoreTiming const& core) {
     for (ProcessTiming const& process : core.processes_) {
         ProcessTiming& same = add_process(process.name(), process.shape());
         for (unsigned port = 0; port < process.port_count(); ++port) {
-            if (process.fifo(port).is_memory()) {
+            if (process.fifo(port).is_stream()) {
                 same.add_stream(stream(core.number_of(*process.stream())));
                 continue;
             }
@@ -182,7 +182,7 @@ void CoreTiming::shorten_trail() {
 /// Who has to go on before a process can.
 std::string CoreTiming::name_at_other_end(ProcessTiming const& process, unsigned port) const {
     FifoTiming const& fifo = process.fifo(port);
-    if (fifo.is_memory())
+    if (fifo.is_stream())
         return "memory";
     Ends const& both = ends_[number_of(fifo)];
     int const other = process.writes(port) ? both.reader : both.writer;
@@ -210,7 +210,7 @@ std::vector<Wait> CoreTiming::waits() {
         wait.capacity = fifo.shape().capacity;
         wait.since = process.waiting_since();
         wait.site = process.site_at_hand(port);
-        wait.for_memory = fifo.is_memory();
+        wait.for_memory = fifo.is_stream();
         wait.other = name_at_other_end(process, port);
         waits.push_back(wait);
     }

@@ -41,8 +41,8 @@ template <class Line> struct FifoEnd {
 };
 
 /// The rules of a clocked FIFO (docs/timing-model.md#fifos): the n-th write happens at s_n >= r_(n-C) + 1, the n-th
-/// read at r_n >= s_n + Lf. With an issue latency (of a flushing pipeline) the writer says when it issues a token. The
-/// token counts as written issue_latency cycles later, and the stages of the pipeline add to the room: issue_n >=
+/// read at r_n >= s_n + Lf. With an issue latency (of a pipeline that squeezes) the writer says when it issues a token.
+/// The token counts as written issue_latency cycles later, and the stages of the pipeline add to the room: issue_n >=
 /// r_(n-C-issue_latency) + 1.
 ///
 /// `Line` is how cycles are held: absolute ones of 64 bits in a ring, for a core (CycleRing), or relative ones of 32

@@ -27,7 +27,7 @@ FifoTiming FifoTiming::of_memory(std::string name, bool writes) {
     shape.name = std::move(name);
     shape.capacity = FifoShape::unlimited;
     FifoTiming timing(shape);
-    timing.is_memory_ = true;
+    timing.is_stream_ = true;
     if (!writes) {
         timing.rules_.free = CycleRing(room_kept(shape));
         timing.room_ = room_kept(shape);

@@ -55,7 +55,7 @@ class FifoTiming {
     End end(bool writes) { return writes ? rules_.writer() : rules_.reader(); }
     void note(bool writes, std::uint64_t count) { writes ? note_writes(count) : note_reads(count); }
 
-    bool is_memory() const { return is_memory_; }
+    bool is_stream() const { return is_stream_; }
     /// Of what a process reads from memory: its next tokens, each of which can be read from the cycle that `next()`
     /// gives on. Makes room where it is needed.
     template <class Next> void deliver(std::uint64_t tokens, Next next) {
@@ -100,7 +100,7 @@ class FifoTiming {
     std::uint64_t max_occupancy_ = 0;  // unlimited: not looked for
     Cycles full_stall_cycles_ = 0;
     Cycles empty_stall_cycles_ = 0;
-    bool is_memory_ = false;
+    bool is_stream_ = false;
     std::uint64_t room_ = 0;  // of memory: tokens whose cycles can be kept
 };
 

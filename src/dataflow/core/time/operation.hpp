@@ -78,11 +78,16 @@ class Operation {
     /// What is left once all `count` iterations are done.
     void become_tail() { *this = Operation(Kind::iterate, tail_ports(), tail_gap(), 1); }
 
-    /// Of a flanked one, `count` at least 2: the first iteration with the one behind it, and all others.
+    /// Of a flanked one, `count` at least 2: the first iteration with the one behind it.
     Operation head() const {
         Operation head(Kind::iterate, ports(), 0, 1);
         head.add_tail(tail_ports(), 0);
         return head;
+    }
+    Operation rest() const {  ///< all others, with the tail
+        Operation rest(Kind::iterate, ports(), 0, count() - 1);
+        rest.add_tail(tail_ports(), tail_gap());
+        return rest;
     }
     /// What a wait does: its gap. From first_dependence on, it is await_write() for the dependence of that number.
     /// The last ones are choices: what a loop says that makes attempts, and an attempt itself, in a loop or outside.
@@ -126,11 +131,6 @@ class Operation {
                 return code_ == mix(ports(), length(), gaps()).code_;
         }
         return false;
-    }
-    Operation rest() const {
-        Operation rest(Kind::iterate, ports(), 0, count() - 1);
-        rest.add_tail(tail_ports(), tail_gap());
-        return rest;
     }
 
     /// Iterations of a loop that it says.

@@ -36,9 +36,9 @@ struct LoopShape {
     /// By number of a dependence: the fewest steps from the begin of an iteration to that of one that accesses what it
     /// writes. 1: nobody waits. Empty: for none; otherwise iterations read FIFOs in their first step, and write none.
     std::vector<Cycles> interlock_spans;
-    bool makes_attempts = false;  ///< its iterations may access some of those ports without waiting
-    bool rewinds = false;         ///< the next call's iterations follow at once, see docs/timing-model.md#rewind
-    bool uses_memory = false;     ///< each iteration takes a token of the process's memory stream, in its first step
+    bool makes_attempts = false;     ///< its iterations may access some of those ports without waiting
+    bool rewinds = false;            ///< the next call's iterations follow at once, see docs/timing-model.md#rewind
+    bool takes_from_stream = false;  ///< each iteration takes a token of the process's memory stream, in its first step
 
     /// In which an iteration accesses anything that the loop names; never, if it names nothing.
     Cycles first_stage() const;
@@ -101,9 +101,9 @@ struct ProcessShape {
     Cycles flushing_stages = 0;  ///< of its FlushingPipeline; 0: it has none
     unsigned flushing_port = 0;  ///< by which tokens leave that
 
-    /// What is told between two calls of a process that is one loop, which rewinds, and takes no time.
+    /// Whether a loop that rewinds need not drain before it: a stamp, a call not in turn, the same loop entered again.
     bool goes_on_with(Operation const& operation, unsigned loop) const;
-    /// That of a process which finds whatever it takes from memory, at a port, there.
+    /// The shape of a process that finds everything there which it takes from memory, at this port.
     ProcessShape fed(unsigned stream_port) const;
 };
 

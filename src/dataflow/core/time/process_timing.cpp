@@ -105,7 +105,7 @@ ProcessTiming::Status ProcessTiming::front() {
 
 unsigned ProcessTiming::missing_port() const {
     bool const is_late = !log_.exhausted() && log_.begin()->is_choice() && log_.begin()->ports() != 0;
-    if (flushes() || is_late || ports_[blocking_port_].fifo->is_memory())
+    if (flushes() || is_late || ports_[blocking_port_].fifo->is_stream())
         return blocking_port_;
     unsigned missing = blocking_port_;
     step_at_hand().each([&](unsigned port) {
@@ -150,21 +150,21 @@ ProcessMask ProcessTiming::advance(bool pause) {
 }
 
 void ProcessTiming::wait_for(ProcessPort const& port) {
-    if (port.fifo->is_memory() && port.writes) {
+    if (port.fifo->is_stream() && port.writes) {
         port.fifo->keep_more();
         has_more_storage_ = true;
         return;
     }
     status_ = Status::blocked;
     blocking_port_ = port.number;
-    if (port.fifo->is_memory())
+    if (port.fifo->is_stream())
         stream_->comes_to_step(state_.time);
 }
 
 /// What comes from memory is waited for first; nobody waits for what goes there.
 void ProcessTiming::put_in_order(PortSet& set) const {
     std::stable_partition(set.begin(), set.end(),
-                          [](ProcessPort const& port) { return port.fifo->is_memory() && !port.writes; });
+                          [](ProcessPort const& port) { return port.fifo->is_stream() && !port.writes; });
 }
 
 bool ProcessTiming::may_access(Ports::Number ports) {
@@ -181,7 +181,7 @@ void ProcessTiming::add_stall(ProcessPort const& port, Cycles stall) {
         figures_.waits_before.resize(ports_.size());
         figures_.waits_before[port.number] += stall;
     }
-    (port.fifo->is_memory() ? figures_.memory_stall_cycles
+    (port.fifo->is_stream() ? figures_.memory_stall_cycles
      : port.writes          ? figures_.full_stall_cycles
                             : figures_.empty_stall_cycles) += stall;
 }
@@ -254,7 +254,7 @@ void ProcessTiming::tell_end(OperationLog& log) const {
 }
 
 void ProcessTiming::entered_again() {
-    if (loops()[state_.loop].uses_memory)
+    if (loops()[state_.loop].takes_from_stream)
         stream_->enters_loop(state_.time);
 }
 

@@ -87,7 +87,6 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     using Rules::is_in_iteration;
     using Rules::long_count;
     using Rules::rests;
-    static constexpr unsigned most_accesses = Rules::most_in_run;  ///< of an iteration of an aligned loop
 
     enum class Status { exhausted, blocked, ready };
 
@@ -146,9 +145,9 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     /// Iterations at hand that are ahead of the memory's delays: they find what they take there, however soon they
     /// come, and otherwise only write. 0 where a trail would have to tell of them.
     std::uint64_t fed_iterations() const;
-    /// Some of those have been done elsewhere, in these cycles.
+    /// A lookup has worked out the first ones of fed_iterations(), whose accesses fall into these cycles.
     void take_fed(std::vector<Cycles> const& cycles);
-    /// The shape it has as far as that is true.
+    /// Its shape for the iterations that fed_iterations() counts: without what they take from memory.
     std::shared_ptr<ProcessShape> fed_shape() const;
     /// It reads from memory.
     bool takes_from_memory() const;
@@ -221,7 +220,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     Trail* trail() const { return trail_; }
     /// Continues from where another process of the same ports and loops stands, what it has logged included.
     void take_state(ProcessTiming const& other);
-    /// That it is in.
+    /// The loop that it is in, or was in last.
     unsigned current_loop() const { return state_.loop; }
     /// Done in the loop it is in, or was in last. The lookups keep no more of them than decide anything; who knows
     /// better can say so.
@@ -246,7 +245,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
         starving_port_ = port;
         starving_site_ = site;
     }
-    /// Of that port and others of the same step, whose tokens it has, but may not have read them: as missing_port().
+    /// Of starving_port() and set_starving_with(), the ports of one step, the first without a known token.
     unsigned starved_port() const;
     void set_starving_with(Ports others) { starving_with_ = others; }
     /// Where the process is, for people: "scan, iteration 12".
@@ -299,7 +298,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     void put_in_order(PortSet& set) const;
     /// A wait for memory is the process's own time, in a region of its own. It comes first in a step.
     void note_wait(ProcessPort const& port, Region region, Cycles step, Cycles from, Cycles until) {
-        if (!port.fifo->is_memory()) {
+        if (!port.fifo->is_stream()) {
             Rules::note_wait(port, region, step, from, until);
             return;
         }

@@ -79,7 +79,7 @@ Json site_json(SourceSite const& site) { return {site.file, site.line}; }
 Json ports_json(timing::ProcessTiming const& process) {
     Json ports = Json::array();
     for (unsigned i = 0; i < process.port_count(); ++i)
-        ports.push_back({{process.fifo(i).is_memory() ? "memory" : "fifo", process.fifo(i).name()},
+        ports.push_back({{process.fifo(i).is_stream() ? "memory" : "fifo", process.fifo(i).name()},
                          {"access", process.writes(i) ? "write" : "read"},
                          {"source", site_json(process.port_site(i))}});
     return ports;

@@ -107,7 +107,7 @@ Cycles CycleSorter::add_stalls(timing::ProcessTiming const& process, Cycles end,
         timing::FifoTiming const& fifo = process.fifo(port);
         Cycles const beyond = process.end() > end ? process.waited_beyond(end, port) : 0;
         all_beyond += beyond;
-        if (fifo.is_memory()) {
+        if (fifo.is_stream()) {
             row[CycleClass::memory_stall] -= beyond;
             continue;
         }

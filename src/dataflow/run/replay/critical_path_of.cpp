@@ -31,7 +31,7 @@ class ProcessRows {
     void add_region(timing::Region region) {
         add_own(region);
         for (unsigned port = 0; port < process_.port_count(); ++port)
-            if (!process_.fifo(port).is_memory())
+            if (!process_.fifo(port).is_stream())
                 add_crossings(region, port);
     }
 

@@ -3,8 +3,8 @@
 
 namespace faster::datapath {
 
-/// Thesis 5.3: as 5.2, and an object token makes an edge of the pixels above and below that no object token covers,
-/// at once.
+/// Thesis 5.3: an edge token makes an edge unless an object token was there (TransitionMap); an object token is no edge
+/// for good, and at once makes edges of the pixels above and below that no object token covers.
 class BoundedMap final : public SingleMap<BoundedMap> {
   public:
     using SingleMap::SingleMap;

@@ -9,6 +9,7 @@
 #include "dataflow/core/machine/core_ends.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/tools/sizing/cut_members.hpp"
+#include "dataflow/tools/sizing/writes_in_a_cycle.hpp"
 
 namespace dataflow::sizing {
 
@@ -67,18 +68,20 @@ Cycles load_of(replay::RecordedRun const& run, Machine const& machine) {
 
 CoreTimes::CoreTimes(replay::RecordedRun const& run, Machine const& machine, BeforeRetiming before_retiming)
     : CoreTimes(std::make_shared<replay::ScriptedRun const>(run, run.lead(machine)), machine, load_of(run, machine),
-                std::move(before_retiming)) {}
+                writes_in_a_cycle(run, run.lead(machine)), std::move(before_retiming)) {}
 
-CoreTimes::CoreTimes(Run run, Machine machine, Cycles load, BeforeRetiming before_retiming)
+CoreTimes::CoreTimes(Run run, Machine machine, Cycles load, std::vector<std::uint64_t> writes,
+                     BeforeRetiming before_retiming)
     : run_(std::move(run)),
       machine_(std::move(machine)),
       load_(load),
+      writes_(std::move(writes)),
       before_retiming_(std::move(before_retiming)),
       freezing_(freezing_fifos(machine_)),
       are_together_(shares_memory(machine_)),
       relaxed_(freezing_.empty() && !are_together_
                    ? nullptr
-                   : new CoreTimes(run_, sizing::relaxed(machine_), load_, before_retiming_)),
+                   : new CoreTimes(run_, sizing::relaxed(machine_), load_, writes_, before_retiming_)),
       cores_(cores_with_samples(machine_.cores, run_->run().tape.samples())),
       tokens_(machine_.fifos.size()),
       work_(cores_) {}
@@ -172,8 +175,8 @@ CoreTimes::Known CoreTimes::outcome(std::size_t number, timing::CoreTiming& core
         note_work(number, core, results_of(core).back() + 1);
     for (std::size_t i = 0; i < machine_.fifos.size(); ++i) {
         timing::FifoTiming const& fifo = core.fifos()[i];
-        // A token may not enter in the cycle in which the one whose place it takes leaves.
-        known.room.push_back(fifo.final_max_occupancy() + 1);
+        // Tokens enter beside what was there at the end of the cycle before: what leaves in theirs still has its place.
+        known.room.push_back(fifo.final_max_occupancy() + writes_[i]);
         if (known.end != Cut::deadlock)
             tokens_[i] = std::max(tokens_[i], fifo.writes());
     }

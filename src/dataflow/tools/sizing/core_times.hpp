@@ -86,7 +86,7 @@ class CoreTimes {
     };
     using Run = std::shared_ptr<replay::ScriptedRun const>;
 
-    CoreTimes(Run run, Machine machine, Cycles load, BeforeRetiming before_retiming);
+    CoreTimes(Run run, Machine machine, Cycles load, std::vector<std::uint64_t> writes, BeforeRetiming before_retiming);
 
     /// Stamps of the process that ends samples, and who writes what it waits for.
     std::vector<Cycles> const& results_of(timing::CoreTiming const& core) const;
@@ -116,7 +116,8 @@ class CoreTimes {
 
     Run const run_;
     Machine const machine_;
-    Cycles const load_;  ///< before the cores begin
+    Cycles const load_;                        ///< before the cores begin
+    std::vector<std::uint64_t> const writes_;  ///< writes_in_a_cycle()
     BeforeRetiming const before_retiming_;
     std::vector<std::size_t> const freezing_;
     bool const are_together_;

@@ -210,6 +210,8 @@ void ProcessClock::close_loop() {
 void ProcessClock::later(FifoChannel const& fifo, std::function<void()> taking) {
     Cycles const stage = fifo.timing().shape().read_stage;
     if (!is_held_ || stage == 0) {
+        if (collecting_)
+            taken_ = taken_ | fifo.read_port();
         taking();
         return;
     }

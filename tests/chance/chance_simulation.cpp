@@ -168,7 +168,7 @@ class ChanceModule : public SampleModule {
             for (std::size_t const one : segment.iterations[i])
                 if (tries(one))
                     continue;
-                else if (writes(one) || is_first_stage(one))
+                else if (writes(one) || (is_first_stage(one) && process().ends.size() % 2 == 0))
                     access(one);
                 else
                     clock_.take_later(fifo(one), [this, one](Token token) { take(one, token); });

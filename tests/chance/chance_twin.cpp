@@ -431,16 +431,15 @@ void run(std::vector<CoreSimulation>& cores, testing::TwinMemoryModel* memory) {
         core.is_stuck = !core.is_done();
 }
 
-/// Of a process that cannot go on: the FIFOs that it cannot read in the step at hand, or else the first that it cannot
-/// write. Of several that it reads, whichever its module comes to first is named, which the steps do not tell.
-Accesses missing(Design const& design, CoreSimulation const& core, std::size_t number) {
+/// Of a process that cannot go on: the first FIFO that it cannot read in the step at hand, or else the first that it
+/// cannot write.
+std::size_t missing(Design const& design, CoreSimulation const& core, std::size_t number) {
     CoreSimulation::OfProcess const& process = core.processes[number];
     Accesses empty, full;
     for (std::size_t const fifo : process.steps[process.next].accesses)
         if (!core.may_access(number, fifo))
             (design.writes(number, fifo) ? full : empty).push_back(fifo);
-    full.resize(std::min<std::size_t>(full.size(), 1));
-    return empty.empty() ? full : empty;
+    return (empty.empty() ? full : empty).at(0);
 }
 
 void add_waits(Design const& design, std::size_t core, CoreSimulation const& simulation, Figures& figures,
@@ -449,20 +448,19 @@ void add_waits(Design const& design, std::size_t core, CoreSimulation const& sim
         CoreSimulation::OfProcess const& process = simulation.processes[i];
         if (process.is_done())
             continue;
-        std::string line;
         Cycles const since = simulation.waits_since(i);
-        if (auto const awaited = simulation.hand_over_named(i); awaited)
-            line = wait_line(core, design.processes[i].name, awaited->fifo, awaited->writes, since,
-                             design.processes[awaited->other].name, awaited->holds);
-        else
-            for (std::size_t const fifo : missing(design, simulation, i)) {
-                bool const writes = design.writes(i, fifo);
-                std::size_t const other = writes ? design.fifos[fifo].reader : design.fifos[fifo].writer;
-                line += (line.empty() ? "" : any_of_these) +
-                        wait_line(core, design.processes[i].name, design.fifos[fifo].name, writes, since,
-                                  design.processes[other].name, simulation.fifos[fifo].holds());
-            }
-        figures.lines.push_back(line);
+        std::string const& name = design.processes[i].name;
+        if (auto const awaited = simulation.hand_over_named(i); awaited) {
+            figures.lines.push_back(wait_line(core, name, awaited->fifo, awaited->writes, since,
+                                              design.processes[awaited->other].name, awaited->holds));
+        } else {
+            std::size_t const number = missing(design, simulation, i);
+            Fifo const& fifo = design.fifos[number];
+            bool const writes = design.writes(i, number);
+            figures.lines.push_back(wait_line(core, name, fifo.name, writes, since,
+                                              design.processes[writes ? fifo.reader : fifo.writer].name,
+                                              simulation.fifos[number].holds()));
+        }
         latest = std::max(latest, since);
     }
 }

@@ -30,9 +30,6 @@ std::string process_line(std::size_t core, std::string const& name, Cycles memor
 std::string wait_line(std::size_t core, std::string const& process, std::string const& fifo, bool to_write,
                       Cycles since, std::string const& other, std::uint64_t occupancy);
 
-/// Between lines that are as good as each other.
-inline std::string const any_of_these = " | ";
-
 /// The first line in which two differ, of both; empty if none does.
 std::string first_difference(Figures const& found, Figures const& expected);
 

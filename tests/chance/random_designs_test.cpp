@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <string>
@@ -117,6 +118,37 @@ TEST_CASE("random designs that once did not agree do") {
           // with calls that do nothing
           438UL, 1594UL, 2782UL, 2980UL})
         check_seed(seed, count);
+}
+
+/// Two processes that exchange tokens by a loop each, until one waits for two at once.
+Design exchange() {
+    Design design;
+    design.fifos.resize(3);
+    design.fifos[0] = {"asked", 1, 0};
+    design.fifos[1] = {"often", 0, 1};
+    design.fifos[2] = {"rarely", 0, 1};
+    design.fifos[0].write_stage = 2;
+    design.fifos[1].write_stage = design.fifos[2].write_stage = 6;
+    design.processes.resize(2);
+    Accesses const one{0, 1}, all{0, 1, 2};
+    std::array<std::vector<Accesses>, 2> const iterations{
+        {{one, all, all, all, all, all}, {all, all, all, all, all, one}}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        Process& process = design.processes[i];
+        process.name = i == 0 ? "answers" : "asks";
+        process.ends = all;
+        process.loops.push_back({"exchange", i == 0 ? 5U : 2U, 1, i == 0 ? 7U : 3U});
+        process.program.resize(1);
+        process.program.front().kind = Segment::Kind::loop;
+        process.program.front().iterations = iterations[i];
+    }
+    return design;
+}
+
+TEST_CASE("who waits for several tokens that an iteration takes later waits for the first") {
+    Count count;
+    check_design(exchange(), 0, count);
+    CHECK(count.stuck == 1);
 }
 
 TEST_CASE("nobody waits for stores, however far they run ahead of the memory") {

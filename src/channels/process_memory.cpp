@@ -93,7 +93,7 @@ bool ProcessClock::is_taken_by_loop() const { return stream_ != nullptr && !stre
 
 /// Each time that a loop is entered that takes tokens, it has an entry, which may have none.
 void ProcessClock::enter_memory(unsigned loop) {
-    if (!is_taken_by_loop() || !timing_.loops()[loop].takes_from_stream)
+    if (!is_taken_by_loop() || !timing_.loops()[loop].uses_stream)
         return;
     if (entries_told_.empty())
         tell_entry({dataflow_core_.begun(timing_.index()) - 1, {}});

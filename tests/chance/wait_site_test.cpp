@@ -31,6 +31,17 @@ TEST_CASE("a deadlock names the line of the access that waits, however far ahead
     CHECK(line_of_wait(pair, engine) == "102");  // two tokens have room
 }
 
+TEST_CASE("a deadlock names the line where the loop begins that waits, however far ahead its module is") {
+    Engine const engine = GENERATE(Engine::lockstep, Engine::decoupled);
+    Pair pair = sound_pair();
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        for (Token i = 0; i < 4; ++i)
+            clock.pipeline("send", 1, [&](std::uint64_t) { fifo.write(i); }, {"writer.cpp", 200 + i});
+    };
+    pair.reads = [](ProcessClock& clock, ClockedFifo<Token>&) { clock.advance(1); };
+    CHECK(line_of_wait(pair, engine) == "202");
+}
+
 TEST_CASE("an access whose line nobody says has none, whatever was said of others") {
     Engine const engine = GENERATE(Engine::lockstep, Engine::decoupled);
     Pair pair = sound_pair();

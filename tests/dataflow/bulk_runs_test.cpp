@@ -75,7 +75,7 @@ class Chain {
         loop.writes = {{0, late}, {1, late}};
         first.add_loop(loop);
         loop = loop_of(dice, 6);
-        loop.takes_from_stream = true;
+        loop.uses_stream = true;
         loop.writes = {{0, dice.chance(50) ? 0 : late}};
         loop.reads = {{2, 0}};
         first.add_loop(loop);

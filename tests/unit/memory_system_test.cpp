@@ -43,7 +43,7 @@ class Reader {
         loop.name = "read";
         loop.interval = schedule(1, 1, {});
         loop.depth = depth;
-        loop.takes_from_stream = true;
+        loop.uses_stream = true;
         loop.reads = {{process_.add_stream(core_.add_stream("words", MemoryStream::EntersBy::loop)), 0}};
         process_.add_loop(std::move(loop));
     }

@@ -36,7 +36,7 @@ class ProcessBuilder {
     timing::LoopShape shape_of(MachineLoop const& loop) const {
         timing::LoopShape shape = loop.shape();
         bool const is_of_stream = stream_ != nullptr && loop.name == stream_->loop;
-        shape.takes_from_stream = is_of_stream && !stream_->writes;
+        shape.uses_stream = is_of_stream && !stream_->writes;
         if (is_of_stream && stream_->writes)
             shape.writes.push_back({process_.stream_port(), shape.depth - 1});
         for (std::size_t const fifo : loop.writes)
@@ -45,7 +45,7 @@ class ProcessBuilder {
         for (std::size_t const fifo : loop.reads)
             if (machine_.fifos[fifo].is_present)
                 shape.reads.push_back({port_of(fifo, false), core_.fifo(fifo).shape().read_stage});
-        if (shape.takes_from_stream)
+        if (shape.uses_stream)
             shape.reads.push_back({process_.stream_port(), 0});
         return shape;
     }

@@ -17,7 +17,7 @@ class Loader {
         LoopShape loop;
         loop.name = "load";
         loop.interval = schedule(1, 1, {});
-        loop.takes_from_stream = true;
+        loop.uses_stream = true;
         loop.reads = {{process_.add_stream(core_.add_stream("load", MemoryStream::EntersBy::loop)), 0}};
         process_.add_loop(std::move(loop));
         std::uint64_t beats = 0;

@@ -8,8 +8,8 @@
 
 namespace dataflow::timing {
 
-/// Where in the source a process accesses a port outside loops, for reports of what waits there. A module may be far
-/// ahead of the time of what it has told, so of each access it is kept where it stands, as far as that changes.
+/// Where in the source a process accesses a port outside loops, or enters a loop: of each time, as far as that changes,
+/// since a module may be far ahead of the time of what it has told.
 class AccessSites {
   public:
     void note(SourceSite const& site) {

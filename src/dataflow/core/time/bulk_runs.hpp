@@ -77,10 +77,9 @@ template <class Process, class Port> class BulkRuns : public ProcessRules<Proces
     /// what the next ones do, in one step of each. So every step does the same.
     bool is_uniform(Operation const& operation) const {
         PipelinePosition const& pipeline = state_.pipeline;
-        if (!shape_->loops[state_.loop].takes_from_stream || plan_->phases.size() != 1 ||
-            plan_->phases.front().offset > 0 || self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 ||
-            operation.gap() > 0 || operation.ports() == 0 || operation.count() < 2 ||
-            pipeline.alike < plan_->longest_lag)
+        if (!shape_->loops[state_.loop].uses_stream || plan_->phases.size() != 1 || plan_->phases.front().offset > 0 ||
+            self().goes_by_steps() || pipeline.open || pipeline.gap_left > 0 || operation.gap() > 0 ||
+            operation.ports() == 0 || operation.count() < 2 || pipeline.alike < plan_->longest_lag)
             return false;
         bool const goes_on = plan_->longest_lag == 0 || state_.delayed(1) == operation.ports();
         return goes_on && are_in_one_step(operation.ports());

@@ -17,8 +17,7 @@ namespace dataflow::timing {
 
 /// The rules of time of a process (docs/timing-model.md): the step, the pipelined loop with its delay line, the setup,
 /// the steps of a flushing pipeline. This is the only place that states them. The local time moves by what an operation
-/// takes, and by waiting: for accesses to become legal, for a setup, the begin of a call, or a write. Leaving a loop
-/// that is shallower than its interval sets it back to the end of the last stage.
+/// takes and by waiting; leaving a loop that is shallower than its interval sets it back.
 ///
 /// Iterations are done one by one here. Nobody waits for that long: BulkRuns does many at a time.
 ///
@@ -75,7 +74,7 @@ template <class Process, class Port> class ProcessRules {
 
     /// What it has yet to read and to write must be told. Not of a loop that takes from memory: see BulkRuns.
     bool has_delay_line() const { return state_.in_loop && !plan_->aligned && !is_in_stream_loop(); }
-    bool is_in_stream_loop() const { return state_.in_loop && shape_->loops[state_.loop].takes_from_stream; }
+    bool is_in_stream_loop() const { return state_.in_loop && shape_->loops[state_.loop].uses_stream; }
 
     /// Takes up where another state has left a process: its loop, from 1 on, or 0, and how many iterations have begun.
     /// What it has yet to write is a delay line, from the latest iteration on. Of a loop that takes from memory only

@@ -78,7 +78,7 @@ ProcessShape ProcessShape::fed(unsigned stream_port) const {
     for (LoopShape& loop : shape.loops) {
         auto const is_fed = [stream_port](LoopRead const& read) { return read.port == stream_port; };
         loop.reads.erase(std::remove_if(loop.reads.begin(), loop.reads.end(), is_fed), loop.reads.end());
-        loop.takes_from_stream = false;
+        loop.uses_stream = false;
         shape.plans.emplace_back(loop);
     }
     return shape;

@@ -36,9 +36,9 @@ struct LoopShape {
     /// By number of a dependence: the fewest steps from the begin of an iteration to that of one that accesses what it
     /// writes. 1: nobody waits. Empty: for none; otherwise iterations read FIFOs in their first step, and write none.
     std::vector<Cycles> interlock_spans;
-    bool makes_attempts = false;     ///< its iterations may access some of those ports without waiting
-    bool rewinds = false;            ///< the next call's iterations follow at once, see docs/timing-model.md#rewind
-    bool takes_from_stream = false;  ///< each iteration takes a token of the process's memory stream, in its first step
+    bool makes_attempts = false;  ///< its iterations may access some of those ports without waiting
+    bool rewinds = false;         ///< the next call's iterations follow at once, see docs/timing-model.md#rewind
+    bool uses_stream = false;     ///< each iteration takes a token of the process's memory stream, in its first step
 
     /// In which an iteration accesses anything that the loop names; never, if it names nothing.
     Cycles first_stage() const;

@@ -254,7 +254,7 @@ void ProcessTiming::tell_end(OperationLog& log) const {
 }
 
 void ProcessTiming::entered_again() {
-    if (loops()[state_.loop].takes_from_stream)
+    if (loops()[state_.loop].uses_stream)
         stream_->enters_loop(state_.time);
 }
 
@@ -334,15 +334,18 @@ LoopCost ProcessTiming::loop_cost(unsigned loop) const {
 }
 
 SourceSite ProcessTiming::site_at_hand(unsigned port) const {
+    auto const pending =
+        std::count_if(log_.begin(), log_.begin() + log_.pending(), [this, port](Operation const& told) {
+            return in_loop() ? told.kind() == Kind::enter && told.count() == state_.loop
+                             : told.kind() == Kind::step && Ports(told.ports()).has(port);
+        });
     if (in_loop())
-        return loop_sites_[state_.loop];
+        return loop_sites_[state_.loop].of(static_cast<std::uint64_t>(pending) + 1);
     bool const is_flushed = flushes() && port == shape_->flushing_port;
     if (log_.exhausted() && !is_flushed)
         return starving_site_;
-    std::uint64_t pending = is_flushed ? state_.flushing.tokens().size() - state_.flushing.left() : 0;
-    for (std::size_t i = 0; i < log_.pending(); ++i)
-        pending += log_.begin()[i].kind() == Kind::step && Ports(log_.begin()[i].ports()).has(port) ? 1U : 0U;
-    return port_sites_[port].of(pending);
+    std::uint64_t const inside = is_flushed ? state_.flushing.tokens().size() - state_.flushing.left() : 0;
+    return port_sites_[port].of(static_cast<std::uint64_t>(pending) + inside);
 }
 
 void ProcessTiming::require_first(unsigned loop, unsigned port) const {

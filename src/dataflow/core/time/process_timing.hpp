@@ -149,7 +149,6 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     void take_fed(std::vector<Cycles> const& cycles);
     /// Its shape for the iterations that fed_iterations() counts: without what they take from memory.
     std::shared_ptr<ProcessShape> fed_shape() const;
-    /// It reads from memory.
     bool takes_from_memory() const;
 
     /// Tells which process is at the other end of a port, as a bit for advance().
@@ -251,9 +250,9 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     /// Where the process is, for people: "scan, iteration 12".
     std::string position() const;
     /// Where in the source a loop begins, and where a port is accessed outside loops.
-    void note_loop_site(unsigned loop, SourceSite const& site) { loop_sites_[loop] = site; }
+    void note_loop_site(unsigned loop, SourceSite const& site) { loop_sites_[loop].note(site); }
     void note_site(unsigned port, SourceSite const& site) { port_sites_[port].note(site); }
-    SourceSite const& loop_site(unsigned loop) const { return loop_sites_[loop]; }
+    SourceSite loop_site(unsigned loop) const { return loop_sites_[loop].first(); }
     SourceSite port_site(unsigned port) const { return port_sites_[port].first(); }
     /// Of what the process is at, which waits for a port.
     SourceSite site_at_hand(unsigned port) const;
@@ -346,7 +345,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     ProcessFigures figures_;
     bool is_taped_ = false;
     std::vector<OperationLog*> tapes_;
-    std::vector<SourceSite> loop_sites_;
+    std::vector<AccessSites> loop_sites_;
     std::vector<AccessSites> port_sites_;
     std::vector<Ports> first_reads_;  ///< by loop
     MemoryStream* stream_ = nullptr;

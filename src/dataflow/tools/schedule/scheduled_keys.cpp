@@ -107,8 +107,13 @@ class Scheduler {
         if (is_only && of_module.size() == 1)
             return of_module.front();
         bool const are_several = same_name.size() > 1 || (is_only && of_module.size() > 1);
-        leave(machine_.loop_name(number) + " of the design: " + (are_several ? "several loops" : "no loop") +
-              " of the report, expected a line in --map");
+        bool const are_alike = same_name.size() > 1 && std::all_of(same_name.begin(), same_name.end(), [&](auto* one) {
+                                   return one->full_name() == same_name.front()->full_name();
+                               });
+        leave(machine_.loop_name(number) + " of the design: " +
+              (are_alike     ? "several loops of the report with one name and other figures, expected one"
+               : are_several ? "several loops of the report, expected a line in --map"
+                             : "no loop of the report, expected a line in --map"));
         return nullptr;
     }
 

@@ -1,6 +1,7 @@
 #include "dataflow/tools/schedule/synthesis_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <pugixml.hpp>
@@ -56,7 +57,7 @@ class ReportReader {
         std::uint64_t value = 0;
         auto const [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error != std::errc() || end != digits.data() + digits.size() || value > 1'000'000'000'000)
-            fail(line_of(at.offset_debug()), what + " = " + std::string(digits), "a whole number");
+            fail(line_of(at.offset_debug()), what + " = " + std::string(digits), "a whole number of at most 10^12");
         return value;
     }
     static std::string trimmed(std::string_view text) {
@@ -84,7 +85,10 @@ class ReportReader {
             if (is_loop(loop))
                 read_loop(module, loop, 0);
     }
-    static bool is_loop(pugi::xml_node const& node) { return node.child("TripCount") || node.child("Latency"); }
+    static bool is_loop(pugi::xml_node const& node) {
+        constexpr std::array figures{"TripCount", "Latency", "IterationLatency", "PipelineII", "PipelineDepth"};
+        return std::any_of(figures.begin(), figures.end(), [&](char const* figure) { return node.child(figure); });
+    }
 
     void read_loop(std::string const& module, pugi::xml_node const& node, unsigned level) {
         if (level > deepest_loop)
@@ -96,7 +100,6 @@ class ReportReader {
         loop.ii = number(node, "PipelineII");
         loop.depth = number(node, "PipelineDepth");
         loop.iteration_latency = number(node, "IterationLatency");
-        loop.trip_count = number(node, "TripCount");
         for (pugi::xml_node const inner : node.children())
             loop.is_around_others = loop.is_around_others || is_loop(inner);
         report_.loops.push_back(loop);
@@ -125,8 +128,7 @@ class ReportReader {
 };
 
 auto figures_of(ReportLoop const& loop) {
-    return std::tie(loop.module, loop.name, loop.ii, loop.depth, loop.iteration_latency, loop.trip_count,
-                    loop.is_around_others);
+    return std::tie(loop.module, loop.name, loop.ii, loop.depth, loop.iteration_latency, loop.is_around_others);
 }
 auto figures_of(ReportFifo const& fifo) { return std::tie(fifo.name, fifo.depth); }
 

@@ -15,7 +15,6 @@ struct ReportLoop {
     std::optional<std::uint64_t> ii;                 ///< of a pipelined loop
     std::optional<std::uint64_t> depth;              ///< its stages
     std::optional<std::uint64_t> iteration_latency;  ///< of a loop that is not pipelined
-    std::optional<std::uint64_t> trip_count;
     bool is_around_others = false;
     std::string place;  ///< FILE:LINE
 

@@ -98,6 +98,7 @@ void EdgeMapBuilderVariant::clear() {
     clock_.pipeline("clear", edge_clear_iterations(core_.config, core_.stimulus.window));
 }
 
+/// As EdgeMapBuilder::build(), with any algorithm.
 void EdgeMapBuilderVariant::build() {
     clock_.here();
     EdgeToken current = edge_token_->read();

@@ -107,6 +107,7 @@ void InlierUnitVariant::clear() {
     clock_.pipeline("clear", iterations);
 }
 
+/// As InlierUnit::draw_triangles(), kept apart so that the thesis's page stays whole.
 void InlierUnitVariant::draw_triangles() {
     clock_.here();
     Command command = command_in.read();

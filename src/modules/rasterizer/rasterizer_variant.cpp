@@ -123,6 +123,7 @@ void RasterizerVariant::start_sample() {
     window_ = WindowPlace::of(core_, header);
 }
 
+/// As Rasterizer::receive_triangle(), kept apart so that the thesis's page stays whole.
 TriangleCode RasterizerVariant::receive_triangle() {
     TriangleCode triangle;
     for (VertexCode& vertex : triangle.vertex) {

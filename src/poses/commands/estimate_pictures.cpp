@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "faster/reference/scorer.hpp"
 #include "faster/workload/build_stimulus.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "faster/workload/pictures/convergence_sheet.hpp"
 #include "faster/workload/pictures/drawing.hpp"
 #include "faster/workload/pictures/line_plot.hpp"
 #include "faster/workload/pictures/overlay.hpp"
+#include "poses/estimation/counter_scorer.hpp"
 
 namespace faster {
 
@@ -60,8 +60,7 @@ EstimatePictures::EstimatePictures(Stimulus observed, AcceleratorConfig const& c
 void EstimatePictures::mark(Pose const& pose, Image<std::uint8_t>& contours, Image<std::uint8_t>* object) {
     workload::set_poses({pose}, stimulus_);
     SampleInput const& sample = stimulus_.samples.front();
-    reference::Scorer scorer = config_.flow == Flow::fpga_grip ? reference::Scorer(stimulus_, config_.edge_extraction)
-                                                               : reference::Scorer(stimulus_, config_.edge_map);
+    reference::Scorer scorer = estimation::reference_scorer(stimulus_, config_);
     scorer.run(0);
     SampleMaps const& maps = scorer.maps();
     std::int64_t const down = window_begin(sample.centre_row, stimulus_.window) - top_;

@@ -27,12 +27,12 @@
 #include "faster/config/faster_config.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "faster/reference/scorer.hpp"
 #include "faster/workload/object_pose.hpp"
 #include "faster/workload/workload_source.hpp"
 #include "modules/core/workload_iterations.hpp"
 #include "poses/commands/estimate_size.hpp"
 #include "poses/commands/pose_commands.hpp"
+#include "poses/estimation/counter_scorer.hpp"
 #include "poses/grip/rank_correlation.hpp"
 #include "poses/grip/score_poses.hpp"
 #include "poses/judging/pose_error.hpp"
@@ -209,8 +209,7 @@ grip::Settings settings_of(GripRequest const& request, WorkloadConfig const& wor
 
 /// The untimed reference equals the model bit for bit.
 std::vector<SampleCounters> flow_counters(AcceleratorConfig const& config, Stimulus const& stimulus) {
-    reference::Scorer scorer = config.flow == Flow::fpga_grip ? reference::Scorer(stimulus, config.edge_extraction)
-                                                              : reference::Scorer(stimulus, config.edge_map);
+    reference::Scorer scorer = estimation::reference_scorer(stimulus, config);
     ProgressLine line("samples by the design");
     std::vector<SampleCounters> counters;
     for (std::size_t i = 0; i < stimulus.samples.size(); ++i) {

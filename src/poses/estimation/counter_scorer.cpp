@@ -5,7 +5,6 @@
 
 #include "dataflow/base/on_threads.hpp"
 #include "faster/dataflow_names.hpp"
-#include "faster/reference/scorer.hpp"
 #include "modules/core/untimed_scorer.hpp"
 
 namespace faster::estimation {
@@ -27,11 +26,7 @@ class CounterScorer::Worker {
 
   private:
     void score_by_reference(std::size_t first, std::size_t end, std::vector<SampleCounters>& counters) const {
-        reference::Scorer scorer = config_.flow == Flow::fpga_grip
-                                       ? reference::Scorer(stimulus_, config_.edge_extraction)
-                                       : reference::Scorer(stimulus_, config_.edge_map);
-        if (counts_hidden(config_.inlier_unit))
-            scorer.count_hidden();
+        reference::Scorer scorer = reference_scorer(stimulus_, config_);
         for (std::size_t i = first; i < end; ++i)
             counters[i] = scorer.run(i);
     }
@@ -40,6 +35,14 @@ class CounterScorer::Worker {
     AcceleratorConfig config_;
     std::unique_ptr<datapath::UntimedScorer> scorer_;
 };
+
+reference::Scorer reference_scorer(Stimulus const& stimulus, AcceleratorConfig const& config) {
+    reference::Scorer scorer = config.flow == Flow::fpga_grip ? reference::Scorer(stimulus, config.edge_extraction)
+                                                              : reference::Scorer(stimulus, config.edge_map);
+    if (counts_hidden(config.inlier_unit))
+        scorer.count_hidden();
+    return scorer;
+}
 
 CounterScorer::CounterScorer(Stimulus const& stimulus, AcceleratorConfig const& config, std::size_t jobs)
     : stimulus_(stimulus) {

@@ -4,8 +4,12 @@
 
 #include "faster/config/accelerator_config.hpp"
 #include "faster/data/stimulus.hpp"
+#include "faster/reference/scorer.hpp"
 
 namespace faster::estimation {
+
+/// The untimed reference of the configured accelerator. `stimulus` is held by reference.
+reference::Scorer reference_scorer(Stimulus const& stimulus, AcceleratorConfig const& config);
 
 /// The counters of poses as the configured accelerator finds them, bit by bit, without its time.
 class CounterScorer {

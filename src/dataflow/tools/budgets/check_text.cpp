@@ -4,10 +4,10 @@
 #include <array>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <iterator>
 
 #include "dataflow/base/enumerators.hpp"
 #include "dataflow/base/grouped_digits.hpp"
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/tools/budgets/figures.hpp"
 
 namespace dataflow::budgets {
@@ -27,12 +27,6 @@ std::string interval_text(Interval const& interval) {
 }
 
 constexpr std::size_t most_breaches = 5;
-
-template <class... Arguments>
-void line(std::string& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
-    text += '\n';
-}
 
 using Row = std::array<std::string, 6>;
 
@@ -55,15 +49,12 @@ void table(std::string& text, std::vector<Verdict> const& verdicts) {
     std::vector<Row> rows{{"  figure", "limit", "measured", "margin", "percent", "at the tightest"}};
     for (Verdict const& verdict : verdicts)
         rows.push_back(row_of(verdict));
-    std::array<std::size_t, 6> widths{};
-    for (Row const& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i)
-            widths[i] = std::max(widths[i], row[i].size());
+    auto const widths = widths_of(rows);
     for (Row const& row : rows) {
         std::string cells = fmt::format("{:<{}}  {:<{}}  {:>{}}  {:>{}}  {:>{}}  {}", row[0], widths[0], row[1],
                                         widths[1], row[2], widths[2], row[3], widths[3], row[4], widths[4], row[5]);
         cells.erase(cells.find_last_not_of(' ') + 1);
-        line(text, "{}", cells);
+        put_line(text, "{}", cells);
     }
 }
 
@@ -71,9 +62,9 @@ void breaches(std::string& text, std::vector<Verdict> const& verdicts) {
     for (Verdict const& verdict : verdicts) {
         std::size_t const shown = std::min(most_breaches, verdict.breaches.size());
         for (std::size_t i = 0; i < shown; ++i)
-            line(text, "  broken: {}", breach_text(verdict.limit, verdict.breaches[i]));
+            put_line(text, "  broken: {}", breach_text(verdict.limit, verdict.breaches[i]));
         if (shown < verdict.breaches.size())
-            line(text, "  ... and {} more of {}", verdict.breaches.size() - shown, verdict.limit.figure);
+            put_line(text, "  ... and {} more of {}", verdict.breaches.size() - shown, verdict.limit.figure);
     }
 }
 
@@ -89,20 +80,20 @@ void changes(std::string& text, char const* title, std::vector<runs::Change> con
         runs::Change const& change = list[i];
         auto const percent =
             runs::percent_of(static_cast<double>(change.a.value_or(0)), static_cast<double>(change.b.value_or(0)));
-        line(text, "    {:<8} {}  {} -> {}  {}{}", i == 0 ? title : "", figure_name(change), value_text(change.a),
-             value_text(change.b), grouped_change(change.difference()),
-             percent ? fmt::format(" ({:+.2f} %)", *percent) : "");
+        put_line(text, "    {:<8} {}  {} -> {}  {}{}", i == 0 ? title : "", figure_name(change), value_text(change.a),
+                 value_text(change.b), grouped_change(change.difference()),
+                 percent ? fmt::format(" ({:+.2f} %)", *percent) : "");
     }
     if (shown < list.size())
-        line(text, "    {:<8} ... and {} more", "", list.size() - shown);
+        put_line(text, "    {:<8} ... and {} more", "", list.size() - shown);
 }
 
 void since_baseline(std::string& text, CheckResult const& result) {
     if (result.baseline_date.empty())
         return;
-    line(text, "  what moved since the baseline of {} (\"{}\"):", result.baseline_date, result.baseline_reason);
+    put_line(text, "  what moved since the baseline of {} (\"{}\"):", result.baseline_date, result.baseline_reason);
     if (result.explanation.is_empty() && result.status == CheckResult::Status::breached)
-        line(text, "    nothing: the baseline does not keep this limit either");
+        put_line(text, "    nothing: the baseline does not keep this limit either");
     text += explanation_text(result.explanation, most_breaches);
 }
 
@@ -135,9 +126,10 @@ std::string breach_text(Limit const& limit, Comparison const& breach) {
 std::string explanation_text(Explanation const& explanation, std::size_t top) {
     std::string text;
     for (runs::SettingChange const& setting : explanation.settings)
-        line(text, "    {:<8} {}  {} -> {}", "setting", setting.key, setting.a.value_or("-"), setting.b.value_or("-"));
+        put_line(text, "    {:<8} {}  {} -> {}", "setting", setting.key, setting.a.value_or("-"),
+                 setting.b.value_or("-"));
     if (!explanation.same_configuration && explanation.settings.empty())
-        line(text, "    {:<8} other keys than those of the accelerator", "setting");
+        put_line(text, "    {:<8} other keys than those of the accelerator", "setting");
     changes(text, "shape", explanation.shapes, top);
     changes(text, "work", explanation.work, top);
     changes(text, "waiting", explanation.waiting, top);
@@ -147,9 +139,9 @@ std::string explanation_text(Explanation const& explanation, std::size_t top) {
 
 std::string check_text(CheckResult const& result) {
     std::string text;
-    line(text, "{}: {}", result.file, result.is_failure() ? enumerator_name(result.status) : "passed");
+    put_line(text, "{}: {}", result.file, result.is_failure() ? enumerator_name(result.status) : "passed");
     if (!result.updated.empty())
-        line(text, "  {}", result.updated);
+        put_line(text, "  {}", result.updated);
     if (!result.verdicts.empty())
         table(text, result.verdicts);
     breaches(text, result.verdicts);

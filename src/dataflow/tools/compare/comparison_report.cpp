@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <iterator>
 
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/grouped_digits.hpp"
 #include "dataflow/base/json.hpp"
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/run/config/design.hpp"
 
 namespace dataflow::runs {
@@ -70,25 +70,16 @@ Json figures(std::vector<ChangeList> const& lists) {
     return object;
 }
 
-template <class... Arguments>
-void line(std::string& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
-    text += '\n';
-}
-
 void left_out(std::string& text, std::size_t rows, std::size_t top) {
     if (rows > top)
-        line(text, "  ... and {} more (--top)", rows - top);
+        put_line(text, "  ... and {} more (--top)", rows - top);
 }
 
 using Row = std::array<std::string, 5>;
 
 /// Names to the left, figures to the right, each column as wide as its widest cell.
 void table(std::string& text, std::vector<Row> const& rows) {
-    std::array<std::size_t, 5> widths{};
-    for (Row const& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i)
-            widths[i] = std::max(widths[i], row[i].size());
+    auto const widths = widths_of(rows);
     for (Row const& row : rows) {
         text += fmt::format("  {:<{}}", row[0], widths[0]);
         for (std::size_t i = 1; i < row.size(); ++i)
@@ -112,33 +103,33 @@ Row row_of(std::string const& name, Change const& change) {
 }
 
 void run_line(std::string& text, char const* name, RunHead const& run) {
-    line(text, "{}  {} ({} samples, {} {})", name, run.folder, run.samples, run.raster_cores, cores_are());
+    put_line(text, "{}  {} ({} samples, {} {})", name, run.folder, run.samples, run.raster_cores, cores_are());
 }
 
 void heads(std::string& text, Comparison const& comparison) {
     run_line(text, "A", comparison.a);
     run_line(text, "B", comparison.b);
     for (std::string const& note : comparison.notes)
-        line(text, "note: {}", note);
+        put_line(text, "note: {}", note);
 }
 
 void settings(std::string& text, std::vector<SettingChange> const& changes, std::size_t top) {
     for (std::size_t i = 0; i < std::min(top, changes.size()); ++i)
-        line(text, "  {}: {} -> {}", changes[i].key, changes[i].a.value_or("-"), changes[i].b.value_or("-"));
+        put_line(text, "  {}: {} -> {}", changes[i].key, changes[i].a.value_or("-"), changes[i].b.value_or("-"));
     left_out(text, changes.size(), top);
 }
 
 void configuration(std::string& text, Comparison const& comparison, std::size_t top) {
     if (comparison.configuration.empty()) {
-        line(text, "\nConfiguration: the same");
+        put_line(text, "\nConfiguration: the same");
         return;
     }
-    line(text, "\nConfiguration: {} of {} keys differ", comparison.configuration.size(), comparison.keys);
+    put_line(text, "\nConfiguration: {} of {} keys differ", comparison.configuration.size(), comparison.keys);
     settings(text, comparison.configuration, top);
 }
 
 void headline(std::string& text, RunHead const& a, RunHead const& b) {
-    line(text, "\nTotal");
+    put_line(text, "\nTotal");
     table(text,
           {heading(),
            row_of("cycles", {"", "", a.total_cycles, b.total_cycles}),
@@ -158,26 +149,26 @@ std::string counter_changes(SampleChange const& change) {
 void results(std::string& text, Comparison const& comparison, std::size_t top) {
     std::size_t const different = comparison.samples.size();
     if (different == 0) {
-        line(text, "\nResults: the same in all {} samples", comparison.compared_samples);
+        put_line(text, "\nResults: the same in all {} samples", comparison.compared_samples);
         return;
     }
-    line(text, "\nResults: {} of {} samples differ", different, comparison.compared_samples);
+    put_line(text, "\nResults: {} of {} samples differ", different, comparison.compared_samples);
     for (std::size_t i = 0; i < std::min(top, different); ++i)
-        line(text, "  sample {}: {}", comparison.samples[i].sample, counter_changes(comparison.samples[i]));
+        put_line(text, "  sample {}: {}", comparison.samples[i].sample, counter_changes(comparison.samples[i]));
     left_out(text, different, top);
 }
 
 void fifo_shapes(std::string& text, Comparison const& comparison, std::size_t top) {
     if (comparison.fifo_shapes.empty())
         return;
-    line(text, "\nFIFOs: depth and kind");
+    put_line(text, "\nFIFOs: depth and kind");
     settings(text, comparison.fifo_shapes, top);
 }
 
 void figures(std::string& text, ChangeList const& list, std::size_t top) {
     if (list.changes.empty())
         return;
-    line(text, "\n{}", list.title);
+    put_line(text, "\n{}", list.title);
     std::vector<Row> rows{heading()};
     for (std::size_t i = 0; i < std::min(top, list.changes.size()); ++i)
         rows.push_back(row_of(list.changes[i].item + " " + list.changes[i].figure, list.changes[i]));
@@ -215,8 +206,8 @@ std::string comparison_json(Comparison const& comparison) {
 std::string comparison_text(Comparison const& comparison, std::size_t top) {
     std::string text;
     if (comparison.identical) {
-        line(text, "identical: configuration, results and cycles of {} and {} ({} samples, {} cycles)",
-             comparison.a.folder, comparison.b.folder, comparison.a.samples, grouped(comparison.a.total_cycles));
+        put_line(text, "identical: configuration, results and cycles of {} and {} ({} samples, {} cycles)",
+                 comparison.a.folder, comparison.b.folder, comparison.a.samples, grouped(comparison.a.total_cycles));
         return text;
     }
     heads(text, comparison);
@@ -227,7 +218,7 @@ std::string comparison_text(Comparison const& comparison, std::size_t top) {
     for (ChangeList const& list : comparison.figures)
         figures(text, list, top);
     if (!has_figures(comparison))
-        line(text, "\nFigures: the same, summed over cores");
+        put_line(text, "\nFigures: the same, summed over cores");
     return text;
 }
 

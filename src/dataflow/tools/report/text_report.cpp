@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <iterator>
 
 #include "dataflow/base/grouped_digits.hpp"
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/run/figures/column_values.hpp"
 #include "dataflow/run/figures/table_rows.hpp"
 #include "dataflow/tools/report/critical_path_report.hpp"
@@ -21,12 +21,6 @@ namespace dataflow::report {
 
 namespace {
 
-template <class... Arguments>
-void line(std::string& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
-    text += '\n';
-}
-
 double percent(Cycles part, Cycles whole) {
     return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -40,29 +34,30 @@ std::size_t column_width(std::string_view name) { return std::max<std::size_t>(n
 
 void headline(std::string& text, RunStatistics const& run) {
     Machine const& machine = run.machine;
-    line(text, "{} samples on {} {}{}{}, {:g} MHz", run.samples.size(), run.cores.size(), machine.cores_are,
-         machine.remark.empty() ? "" : ", ", machine.remark, machine.clock_mhz);
-    line(text, "total  {} cycles = {:.3f} ms", grouped(run.total_cycles), machine.milliseconds(run.total_cycles));
+    put_line(text, "{} samples on {} {}{}{}, {:g} MHz", run.samples.size(), run.cores.size(), machine.cores_are,
+             machine.remark.empty() ? "" : ", ", machine.remark, machine.clock_mhz);
+    put_line(text, "total  {} cycles = {:.3f} ms", grouped(run.total_cycles), machine.milliseconds(run.total_cycles));
     if (run.load_cycles > 0)
-        line(text, "load   {} cycles of them, before cycle 0 of all that follows", grouped(run.load_cycles));
+        put_line(text, "load   {} cycles of them, before cycle 0 of all that follows", grouped(run.load_cycles));
 }
 
 void module_table(std::string& text, RunStatistics const& run) {
     Cycles const lane_cycles = run.core_cycles() * run.cores.size();
-    line(text, "\nModules: where the {} lane-cycles went [% of them; each row adds up to 100]", grouped(lane_cycles));
+    put_line(text, "\nModules: where the {} lane-cycles went [% of them; each row adds up to 100]",
+             grouped(lane_cycles));
     std::string header = fmt::format("  {:<19}", "module");
     bool const has_memory = run.machine.external_memory.has_value();
     for (std::size_t c = 0; c < cycle_class_count; ++c)
         if (is_class_of(c, has_memory))
             header += fmt::format(" {:>{}}", in_words(cycle_class_names[c]), column_width(cycle_class_names[c]));
-    line(text, "{}", header);
+    put_line(text, "{}", header);
     for (std::size_t const i : modules_of(run.machine)) {
         ProcessStatistics const p = process_sum(run, i);
         std::string row = fmt::format("  {:<19}", run.machine.processes[i].name);
         for (std::size_t c = 0; c < cycle_class_count; ++c)
             if (is_class_of(c, has_memory))
                 row += fmt::format(" {:>{}.2f}", percent(p.cycles[c], lane_cycles), column_width(cycle_class_names[c]));
-        line(text, "{}", row);
+        put_line(text, "{}", row);
     }
 }
 
@@ -74,35 +69,36 @@ std::string mean_trip_count(std::uint64_t iterations, std::uint64_t entries) {
 }
 
 void loop_table(std::string& text, RunStatistics const& run) {
-    line(text, "\nLoops: initiation interval (II) and pipeline depth [cycles]; trip count is the mean per entry");
-    line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>12} {:>14} {:>11} {:>21}", "loop", "II target", "II achieved",
-         "limited by", "depth", "entries", "iterations", "trip count", "port conflict cycles");
+    put_line(text, "\nLoops: initiation interval (II) and pipeline depth [cycles]; trip count is the mean per entry");
+    put_line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>12} {:>14} {:>11} {:>21}", "loop", "II target", "II achieved",
+             "limited by", "depth", "entries", "iterations", "trip count", "port conflict cycles");
     for (LoopRow const& l : over_cores(loop_columns, loop_rows(run)))
-        line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>12} {:>14} {:>11} {:>21}", l.name(), l.ii_target, l.ii,
-             l.limited_by.empty() ? "-" : l.limited_by, l.depth, grouped(l.entries), grouped(l.iterations),
-             mean_trip_count(l.iterations, l.entries), grouped(l.port_conflict_cycles));
+        put_line(text, "  {:<25} {:>9} {:>11} {:<13} {:>6} {:>12} {:>14} {:>11} {:>21}", l.name(), l.ii_target, l.ii,
+                 l.limited_by.empty() ? "-" : l.limited_by, l.depth, grouped(l.entries), grouped(l.iterations),
+                 mean_trip_count(l.iterations, l.entries), grouped(l.port_conflict_cycles));
 }
 
 void fifo_table(std::string& text, RunStatistics const& run) {
-    line(text, "\nFIFOs: depth, and the largest occupancy of any core, in tokens; stalls in lane-cycles");
-    line(text, "  {:<19} {:<14} {:>6} {:>14} {:>14} {:>14} {:>14}", "FIFO", "kind", "depth", "max occupancy", "tokens",
-         "full stall", "empty stall");
+    put_line(text, "\nFIFOs: depth, and the largest occupancy of any core, in tokens; stalls in lane-cycles");
+    put_line(text, "  {:<19} {:<14} {:>6} {:>14} {:>14} {:>14} {:>14}", "FIFO", "kind", "depth", "max occupancy",
+             "tokens", "full stall", "empty stall");
     for (FifoRow const& f : over_cores(fifo_columns, fifo_rows(run)))
-        line(text, "  {:<19} {:<14} {:>6} {:>14} {:>14} {:>14} {:>14}", f.fifo, f.kind_name, f.depth, f.max_occupancy,
-             grouped(f.writes), grouped(f.full_stall_cycles), grouped(f.empty_stall_cycles));
+        put_line(text, "  {:<19} {:<14} {:>6} {:>14} {:>14} {:>14} {:>14}", f.fifo, f.kind_name, f.depth,
+                 f.max_occupancy, grouped(f.writes), grouped(f.full_stall_cycles), grouped(f.empty_stall_cycles));
 }
 
 void bram_table(std::string& text, RunStatistics const& run) {
     if (brams_of(run.machine).empty() && run.machine.line_buffers.empty())
         return;
     auto const cores = static_cast<double>(run.cores.size());
-    line(text, "\nBlock RAMs: {:g} RAMB36 in all without FIFOs, of the ZCU102's {:g}; port conflicts in lane-cycles",
-         ramb36_of_core(run.machine) * cores, ramb36_of_device);
-    line(text, "  {:<19} {:>9} {:>5} {:>6} {:>8} {:>6} {:>9} {:>14}", "memory", "words", "bits", "banks", "buffers",
-         "ports", "RAMB36", "port conflict");
+    put_line(text,
+             "\nBlock RAMs: {:g} RAMB36 in all without FIFOs, of the ZCU102's {:g}; port conflicts in lane-cycles",
+             ramb36_of_core(run.machine) * cores, ramb36_of_device);
+    put_line(text, "  {:<19} {:>9} {:>5} {:>6} {:>8} {:>6} {:>9} {:>14}", "memory", "words", "bits", "banks", "buffers",
+             "ports", "RAMB36", "port conflict");
     for (MemoryRow const& m : over_cores(memory_columns, memory_rows(run)))
-        line(text, "  {:<19} {:>9} {:>5} {:>6} {:>8} {:>6} {:>9g} {:>14}", m.bram, grouped(m.words), m.bits,
-             m.partition, m.buffers, m.ports, m.ramb36() * cores, grouped(m.port_conflict_cycles));
+        put_line(text, "  {:<19} {:>9} {:>5} {:>6} {:>8} {:>6} {:>9g} {:>14}", m.bram, grouped(m.words), m.bits,
+                 m.partition, m.buffers, m.ports, m.ramb36() * cores, grouped(m.port_conflict_cycles));
 }
 
 void latency_table(std::string& text, RunStatistics const& run) {
@@ -110,16 +106,16 @@ void latency_table(std::string& text, RunStatistics const& run) {
     if (latencies.empty())
         return;
     auto const at = [&latencies](double share) { return grouped(latency_at(latencies, share)); };
-    line(text, "\nSample latency, queueing included [cycles]");
-    line(text, "  {:>12} {:>12} {:>12} {:>12} {:>12}", "min", "10 %", "median", "90 %", "max");
-    line(text, "  {:>12} {:>12} {:>12} {:>12} {:>12}   (median {:.3f} ms)", at(0), at(0.1), at(0.5), at(0.9), at(1),
-         run.machine.milliseconds(latency_at(latencies, 0.5)));
+    put_line(text, "\nSample latency, queueing included [cycles]");
+    put_line(text, "  {:>12} {:>12} {:>12} {:>12} {:>12}", "min", "10 %", "median", "90 %", "max");
+    put_line(text, "  {:>12} {:>12} {:>12} {:>12} {:>12}   (median {:.3f} ms)", at(0), at(0.1), at(0.5), at(0.9), at(1),
+             run.machine.milliseconds(latency_at(latencies, 0.5)));
 }
 
 void host_speed(std::string& text, RunStatistics const& run, HostTime const& host) {
     double const lane_cycles = static_cast<double>(run.total_cycles * run.cores.size());
-    line(text, "\nHost: workload {:.2f} s, simulation {:.2f} s, {:.1f} million lane-cycles/s", host.build_seconds,
-         host.simulate_seconds, host.simulate_seconds > 0 ? lane_cycles / host.simulate_seconds / 1e6 : 0.0);
+    put_line(text, "\nHost: workload {:.2f} s, simulation {:.2f} s, {:.1f} million lane-cycles/s", host.build_seconds,
+             host.simulate_seconds, host.simulate_seconds > 0 ? lane_cycles / host.simulate_seconds / 1e6 : 0.0);
 }
 
 std::string describe(StuckProcess const& p) {
@@ -139,7 +135,7 @@ std::string text_report(RunStatistics const& run, HostTime const& host) {
     headline(text, run);
     text += '\n';
     for (std::string const& sentence : diagnosis_sentences(run))
-        line(text, "  {}", sentence);
+        put_line(text, "  {}", sentence);
     text += critical_path_text(run);
     text += sensitivities_text(run);
     module_table(text, run);
@@ -158,24 +154,24 @@ std::string text_report(RunStatistics const& run, HostTime const& host) {
 
 std::string deadlock_report(RunStatistics const& run) {
     std::string text;
-    line(text, "deadlock at cycle {}: nothing can move", run.deadlock_cycle());
+    put_line(text, "deadlock at cycle {}: nothing can move", run.deadlock_cycle());
     std::vector<StuckProcess> const circle = run.wait_cycle();
     if (!circle.empty())
-        line(text, "wait-for cycle:");
+        put_line(text, "wait-for cycle:");
     for (StuckProcess const& process : circle)
-        line(text, "  {}", describe(process));
+        put_line(text, "  {}", describe(process));
     std::uint64_t const first_core = run.stuck.front().core;
-    line(text, "all stuck processes of core {}:", first_core);
+    put_line(text, "all stuck processes of core {}:", first_core);
     std::uint64_t last_core = first_core;
     std::size_t stuck_cores = 1;
     for (StuckProcess const& process : run.stuck) {
         if (process.core == first_core)
-            line(text, "  {}", describe(process));
+            put_line(text, "  {}", describe(process));
         stuck_cores += process.core != last_core ? 1U : 0U;
         last_core = process.core;
     }
     if (stuck_cores > 1)
-        line(text, "{} of {} cores are stuck", stuck_cores, run.cores.size());
+        put_line(text, "{} of {} cores are stuck", stuck_cores, run.cores.size());
     return text;
 }
 

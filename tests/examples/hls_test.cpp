@@ -331,11 +331,26 @@ TEST_CASE("What a report says twice and differently is not chosen from", "[examp
     std::string const differ = report_of({add, {"sum", "add", 3, 5}}, fifo_node("sums", "4") + fifo_node("sums", "8"));
     CommandResult const twice = schedule_loads(folder, differ);
     require_done(twice);
-    CHECK_THAT(twice.out, Contains("sum.add of the design: several loops of the report") &&
+    CHECK_THAT(twice.out, Contains("sum.add of the design: several loops of the report with one name and other figures") &&
                               Contains("sums of the report, of depth 8: another FIFO of the report has its name") &&
                               !Contains("accelerator.fifos.sums.depth"));
     CHECK_THAT(schedule_loads(folder, differ, {"--map", "map.yaml"}).err,
                Contains("--map: sum.add is several loops of the report, expected one"));
+}
+
+TEST_CASE("A loop of the report is one without trip count, too, and with two trip counts", "[examples]") {
+    TempFolder const folder;
+    Pipelined const add{"sum", "add", 2, 5};
+    std::string const trips = "<TripCount>30</TripCount>";
+    std::string twice = report_of({add, add});
+    twice.replace(twice.rfind(trips), trips.size(), "<TripCount>20</TripCount>");
+    std::string without = report_of({add});
+    without.erase(without.find(trips), trips.size());
+    for (std::string const& report : {twice, without}) {
+        CommandResult const result = schedule_loads(folder, report);
+        require_done(result);
+        CHECK_THAT(result.out, Contains("accelerator.loops.sum.add.depth"));
+    }
 }
 
 TEST_CASE("A figure that no key can have is told by its place in the report", "[examples]") {

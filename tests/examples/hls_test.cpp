@@ -331,9 +331,10 @@ TEST_CASE("What a report says twice and differently is not chosen from", "[examp
     std::string const differ = report_of({add, {"sum", "add", 3, 5}}, fifo_node("sums", "4") + fifo_node("sums", "8"));
     CommandResult const twice = schedule_loads(folder, differ);
     require_done(twice);
-    CHECK_THAT(twice.out, Contains("sum.add of the design: several loops of the report with one name and other figures") &&
-                              Contains("sums of the report, of depth 8: another FIFO of the report has its name") &&
-                              !Contains("accelerator.fifos.sums.depth"));
+    CHECK_THAT(twice.out,
+               Contains("sum.add of the design: several loops of the report with one name and other figures") &&
+                   Contains("sums of the report, of depth 8: another FIFO of the report has its name") &&
+                   !Contains("accelerator.fifos.sums.depth"));
     CHECK_THAT(schedule_loads(folder, differ, {"--map", "map.yaml"}).err,
                Contains("--map: sum.add is several loops of the report, expected one"));
 }

@@ -28,7 +28,7 @@ std::optional<int> integer_of(std::string const& text) {
 
 }  // namespace
 
-JsonNode::JsonNode(std::string file, std::string name, Json const& value)
+JsonNode::JsonNode(File file, std::string name, Json const& value)
     : file_(std::move(file)), name_(std::move(name)), value_(&value) {}
 
 JsonNode JsonNode::member(std::string const& key, Json const& value) const {
@@ -128,7 +128,7 @@ void JsonNode::fail(std::string const& expected) const {
 }
 
 void JsonNode::complain(std::string const& what, char const* after_name) const {
-    throw InputError(fmt::format("{}: {}{}{}", file_, name_, name_.empty() ? "" : after_name, what));
+    throw InputError(fmt::format("{}: {}{}{}", *file_, name_, name_.empty() ? "" : after_name, what));
 }
 
 }  // namespace dataflow::io

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,7 +16,8 @@ namespace dataflow::io {
 /// Every function throws InputError if the value is not what is asked for. Keeps a reference to the value.
 class JsonNode {
   public:
-    JsonNode(std::filesystem::path const& file, Json const& value) : JsonNode(file.string(), "", value) {}
+    JsonNode(std::filesystem::path const& file, Json const& value)
+        : JsonNode(std::make_shared<std::string const>(file.string()), "", value) {}
 
     JsonNode at(std::string const& key) const;
     std::optional<JsonNode> find(std::string const& key) const;
@@ -34,12 +36,14 @@ class JsonNode {
     [[noreturn]] void fail(std::string const& expected) const;
 
   private:
-    JsonNode(std::string file, std::string name, Json const& value);
+    using File = std::shared_ptr<std::string const>;  ///< of all nodes
+
+    JsonNode(File file, std::string name, Json const& value);
     void require_object() const;
     JsonNode member(std::string const& key, Json const& value) const;
     [[noreturn]] void complain(std::string const& what, char const* after_name) const;
 
-    std::string file_;
+    File file_;
     std::string name_;
     Json const* value_;
 };

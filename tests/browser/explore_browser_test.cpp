@@ -127,6 +127,9 @@ TEST_CASE("Dragging three keys, undoing one and exporting gives what the tool sa
     REQUIRE(page.browser().becomes_true("document.getElementById('timeline-note').textContent.startsWith('Sample')"));
     page.browser().wheel("#timeline-chart", -480);
     CHECK(page.browser().becomes_true("document.querySelector('#timeline-controls input[type=range]').value == 2"));
+    page.browser().value(button("reset") + ".click()");
+    CHECK(page.browser().becomes_true(
+        "/^Sample((?! With ).)*$/.test(document.getElementById('timeline-note').textContent)"));
 
     page.open("");  // another address, so that the next is no mere change of the fragment
     page.browser().open("about:blank");

@@ -171,9 +171,10 @@ TEST_CASE("The page of a deadlock draws the circle, and says what frees it, on a
     CHECK(texts("#deadlock li")[1] ==
           "edge_map_builder waits for inlier_unit since cycle 200: edge_map is full, 2 of 2 tokens (loop output, "
           "iteration 4, edge_map_builder.cpp:3).");
-    CHECK(texts(".way-out")[0] == "At least one of these has to be larger: " + key +
-                                      " (now 2), accelerator.fifos.edge_map.depth (now 2): the other waits of the "
-                                      "circle end once this FIFO takes more.");
+    CHECK(texts(".way-out")[0] ==
+          "At least one of these has to be larger: " + key +
+              " (now 2), accelerator.fifos.edge_map.depth (now 2): the others of the circle can go on "
+              "then, as far as other FIFOs let them.");
     CHECK(texts("#commands")[0] == "faster-sim run a.yaml --set b=1 --set " + key +
                                        "=4096 --set accelerator.fifos.edge_map.depth=4096 --events "
                                        "deep.events\nfaster-sim size-fifos deep.events --within 5 --points 0");

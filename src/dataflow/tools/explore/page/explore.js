@@ -48,7 +48,7 @@ class Explorer {
   /// With the figures of the recorded run, which are pinned until something else is.
   begin(recorded) {
     this.pinned = recorded;
-    new AnySample();
+    this.any_sample = new AnySample();
     this.retimed(recorded, { changes: this.changes, is_settled: false, complaint: "", asked_at: performance.now() }, false);
     this.go_to(changes_of_hash(location.hash) || new Map());
   }
@@ -139,6 +139,7 @@ class Explorer {
   show_settled() {
     this.show_rest(null);
     this.tried.show(this.overrides);
+    this.any_sample.follow();
     this.pather.want({ set: this.overrides }, this.overrides.join());
   }
 

@@ -31,6 +31,11 @@ class AnySample {
     this.asked.want(this.request, this.request);
   }
 
+  /// What has been asked for once is worked out anew when something is changed.
+  follow() {
+    if (this.request && this.request.set.join() !== explorer.overrides.join()) this.ask();
+  }
+
   show(answer, request) {
     if (request !== this.request) return;
     this.timeline.show(answer);

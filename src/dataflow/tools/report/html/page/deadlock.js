@@ -20,8 +20,9 @@ function show_command_for_before() {
 }
 
 function show_commands() {
-  const deeper = deadlock.deeper.map(({ key }) => key);
-  if (deeper.length === 0) return by_id("how-deep").remove();
+  if (deadlock.deeper.length === 0) return by_id("how-deep").remove();
+  const configured = data.configuration.filter(({ key, default: is_default }) => /^accelerator\.fifos\.\w+\.depth$/.test(key) && !is_default);
+  const deeper = [...new Set([...deadlock.deeper, ...configured].map(({ key }) => key))];
   const others = data.settings.filter((setting) => !deeper.includes(setting.split("=")[0]));
   const settings = [...others, ...deeper.map((key) => `${key}=4096`)].map((setting) => ` --set ${setting}`).join("");
   by_id("commands").textContent = `${data.command}${settings} --events deep.events\n${data.program} size-fifos deep.events --within 5 --points 0`;

@@ -151,7 +151,7 @@ class Timeline {
         indexAxis: "y",
         interaction: { mode: "nearest", intersect: true },
         scales: {
-          x: { ...this.part(), title: axis_title("cycle"), ticks: whole_ticks },
+          x: { ...this.part(), title: axis_title("cycle"), ticks: { ...whole_ticks, includeBounds: false } },
           y: { grid: { display: true }, ticks: { autoSkip: false } },
         },
         plugins: {

@@ -90,7 +90,7 @@ function ways_out(deadlock) {
     return "No FIFO of the circle is full, so no depth frees it: each process waits to read before, or in the stage in which, it writes what the next one needs.";
   const keys = deeper.map(({ key, depth }) => `${key} (now ${depth})`);
   return (keys.length === 1 ? `It takes a larger ${keys[0]}` : `At least one of these has to be larger: ${keys.join(", ")}`) +
-    ": the other waits of the circle end once this FIFO takes more.";
+    ": the others of the circle can go on then, as far as other FIFOs let them.";
 }
 
 /// Nothing for none. `how_deep`: where to find out, if a depth can free it.

@@ -541,6 +541,8 @@ TEST_CASE("Waveform options that make no sense are refused", "[vcd]") {
     refused({"--vcd-cores", "0"}, {"--vcd-cores", "--vcd"});
     refused({"--vcd", "a.vcd", "--vcd-cores", "0-2"}, {"--vcd-cores 0-2", "within 0-1"});
     refused({"--vcd", "a.vcd", "--vcd-samples", "1"}, {"--vcd-samples 1", "within 0-0"});
+    refused({"--vcd", "a.vcd", "--vcd-samples", "0", "--vcd-cores", "1"},
+            {"--vcd-cores 1", "--vcd-samples 0", "expected core 0"});
     refused({"--vcd", "a.vcd", "--vcd-samples", "x"}, {"--vcd-samples x"});
     refused({"--vcd", "a.vcd", "--vcd-samples", "0", "--vcd-from", "1"}, {"--vcd-samples", "--vcd-from"});
     refused({"--vcd", "a.vcd", "--vcd-from", "9", "--vcd-to", "8"}, {"--vcd-to 8", "--vcd-from 9"});

@@ -1,12 +1,14 @@
 #include "dataflow/commands/recording_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
 #include <memory>
 #include <set>
 #include <utility>
 
+#include "dataflow/base/core_share.hpp"
 #include "dataflow/base/files/output_file.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/progress_line.hpp"
@@ -179,6 +181,23 @@ std::vector<std::size_t> cores_recorded(RecordingRequest const& request, Machine
     return parse_numbers("--vcd-cores", cores, machine.cores);
 }
 
+/// A sample is in the waveform of the core that scores it.
+void require_scoring_core(RecordingRequest const& request, RecordingWindow const& window, Machine const& machine,
+                          std::size_t samples) {
+    auto const scores = [&](std::size_t core) {
+        CoreShare const share = share_of(core, machine.cores, samples);
+        return share.count > 0 && share.first <= window.samples->last &&
+               window.samples->first < share.first + share.count;
+    };
+    if (std::any_of(window.cores.begin(), window.cores.end(), scores))
+        return;
+    std::size_t core = 0;
+    while (!scores(core))
+        ++core;
+    throw InputError(fmt::format("--vcd-cores {}: none of them scores what --vcd-samples {} asks for, expected core {}",
+                                 request.vcd_cores, request.vcd_samples, core));
+}
+
 RecordingWindow waveform_window(RecordingRequest const& request, Machine const& machine, std::size_t samples) {
     RecordingWindow window;
     window.cores = cores_recorded(request, machine);
@@ -186,6 +205,7 @@ RecordingWindow waveform_window(RecordingRequest const& request, Machine const& 
         if (request.vcd_from || request.vcd_to)
             throw InputError("--vcd-samples: expected it without --vcd-from and --vcd-to");
         window.samples = parse_range("--vcd-samples", request.vcd_samples, samples);
+        require_scoring_core(request, window, machine, samples);
     }
     window.from = request.vcd_from.value_or(0);
     window.to = request.vcd_to;

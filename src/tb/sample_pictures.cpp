@@ -77,8 +77,11 @@ void SamplePictures::write(fs::path const& folder, std::vector<SampleStatistics>
 std::vector<report::ReportPicture> SamplePictures::for_report() const {
     std::vector<report::ReportPicture> pictures;
     for (auto const& [sample, maps] : maps_)
-        pictures.push_back({fmt::format("Sample {}: contour red, object green, observed edges blue", sample),
-                            files::colour_png(for_people(overlay_of(sample, maps)))});
+        pictures.push_back(
+            {fmt::format(
+                 "Sample {}: contour red, object green, observed edges blue, purple where the contour lies on one",
+                 sample),
+             files::colour_png(for_people(overlay_of(sample, maps)))});
     return pictures;
 }
 

@@ -95,12 +95,7 @@ function show_path(path, figures) {
   const share = (row) => percent(row.cycles, figures.total_cycles);
   if (!path_table)
     path_table = new SortableTable(by_id("path-table"), "Critical path", [
-      { title: "cause", value: (row) => row.cause, fill: (cell, row) => {
-        const colours = { read_latency: "empty_stall", backpressure: "full_stall", memory: "memory_stall" };
-        const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
-        swatch.style.background = `var(--${colours[row.cause] || row.cause})`;
-        cell.append(swatch, in_words(row.cause));
-      } },
+      { title: "cause", value: (row) => row.cause, fill: (cell, row) => fill_with_swatch(cell, row.cause, path_colour(row.cause)) },
       { title: "module", value: (row) => row.module },
       { title: "loop", value: (row) => row.loop || "-" },
       { title: "FIFO or memory", value: (row) => row.item || "-" },

@@ -50,15 +50,43 @@ function set_chart_defaults() {
     });
 }
 
+function swatch(colour_name) {
+  const square = element("span", { class: "swatch", "aria-hidden": "true" });
+  square.style.background = `var(--${colour_name})`;
+  return square;
+}
+
+function fill_with_swatch(cell, name, colour_name = name) {
+  cell.append(swatch(colour_name), in_words(name));
+}
+
 /// [colour name, text] of each kind of bar.
 function legend(entries) {
   const list = element("ul", { class: "legend" });
-  for (const [name, text] of entries) {
-    const swatch = element("span", { "aria-hidden": "true" });
-    swatch.style.background = `var(--${name})`;
-    list.append(element("li", {}, swatch, text));
-  }
+  for (const [name, text] of entries) list.append(element("li", {}, swatch(name), text));
   return list;
+}
+
+/// Causes of the critical path have the colours of what a module would call them.
+const path_colours = { read_latency: "empty_stall", backpressure: "full_stall", memory: "memory_stall" };
+const path_colour = (cause) => path_colours[cause] || cause;
+
+/// A bar for each label, of parts behind each other. `series`: {name, colour, values}; without a colour, that of the name.
+function stacked_bars(labels, series, x, tooltip) {
+  return {
+    type: "bar",
+    data: {
+      labels,
+      datasets: series.map((part) => ({
+        label: in_words(part.name), data: part.values, backgroundColor: colour(part.colour || part.name), barPercentage: 0.85,
+      })),
+    },
+    options: {
+      indexAxis: "y",
+      scales: { x: { stacked: true, ...x }, y: { stacked: true, ticks: { autoSkip: false } } },
+      plugins: { tooltip: { callbacks: { label: tooltip } } },
+    },
+  };
 }
 
 /// Of an axis with whole numbers: no tick between two of them, which would have the text of one of them.

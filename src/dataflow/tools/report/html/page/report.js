@@ -31,26 +31,8 @@ function show_graph() {
 }
 
 function module_bars() {
-  return {
-    type: "bar",
-    data: {
-      labels: data.modules.map((row) => row.module),
-      datasets: data.cycle_classes.map((name, c) => ({
-        label: in_words(name),
-        data: data.modules.map((row) => percent(row.cycles[c], lane_cycles)),
-        backgroundColor: colour(name),
-        barPercentage: 0.85,
-      })),
-    },
-    options: {
-      indexAxis: "y",
-      scales: {
-        x: { stacked: true, max: 100, title: axis_title("% of all cycles of all cores") },
-        y: { stacked: true, ticks: { autoSkip: false } },
-      },
-      plugins: { tooltip: { callbacks: { label: module_tooltip } } },
-    },
-  };
+  const series = data.cycle_classes.map((name, c) => ({ name, values: data.modules.map((row) => percent(row.cycles[c], lane_cycles)) }));
+  return stacked_bars(data.modules.map((row) => row.module), series, { max: 100, title: axis_title("% of all cycles of all cores") }, module_tooltip);
 }
 
 function module_tooltip(item) {
@@ -69,17 +51,11 @@ function show_modules() {
   ], data.modules);
 }
 
-function fill_stall_kind(cell, row) {
-  const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
-  swatch.style.background = `var(--${row.kind})`;
-  cell.append(swatch, in_words(row.kind));
-}
-
 function show_stalls() {
   const rows = [...data.stalls].sort((a, b) => b.cycles - a.cycles);
   new SortableTable(by_id("stall-table"), "What the modules wait for", [
     { title: "module", value: (row) => row.module },
-    { title: "stall", value: (row) => row.kind, fill: fill_stall_kind },
+    { title: "stall", value: (row) => row.kind, fill: (cell, row) => fill_with_swatch(cell, row.kind) },
     { title: "FIFO or block RAM", value: (row) => row.item },
     { title: "waits for", value: (row) => row.waits_for || "-" },
     figure("lane-cycles", (row) => row.cycles),
@@ -87,34 +63,14 @@ function show_stalls() {
   ], rows, { box: "high" });
 }
 
-/// Causes have the colours of what a module would call them.
-const path_colours = { read_latency: "empty_stall", backpressure: "full_stall", memory: "memory_stall" };
-const path_colour = (cause) => path_colours[cause] || cause;
-
 function path_bars() {
   const modules = data.modules.map((row) => row.module);
   const cycles = (module, cause) =>
     data.critical_path.rows.reduce((sum, row) => sum + (row.module === module && row.cause === cause ? row.cycles : 0), 0);
-  return {
-    type: "bar",
-    data: {
-      labels: modules,
-      datasets: data.path_causes.map((cause) => ({
-        label: in_words(cause),
-        data: modules.map((module) => percent(cycles(module, cause), data.headline.total_cycles)),
-        backgroundColor: colour(path_colour(cause)),
-        barPercentage: 0.85,
-      })),
-    },
-    options: {
-      indexAxis: "y",
-      scales: {
-        x: { stacked: true, title: axis_title("% of the total") },
-        y: { stacked: true, ticks: { autoSkip: false } },
-      },
-      plugins: { tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${decimal(item.raw, 2)} %` } } },
-    },
-  };
+  const series = data.path_causes.map((name) => ({
+    name, colour: path_colour(name), values: modules.map((module) => percent(cycles(module, name), data.headline.total_cycles)),
+  }));
+  return stacked_bars(modules, series, { title: axis_title("% of the total") }, (item) => `${item.dataset.label}: ${decimal(item.raw, 2)} %`);
 }
 
 function show_critical_path() {

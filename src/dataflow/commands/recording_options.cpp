@@ -185,9 +185,7 @@ std::vector<std::size_t> cores_recorded(RecordingRequest const& request, Machine
 void require_scoring_core(RecordingRequest const& request, RecordingWindow const& window, Machine const& machine,
                           std::size_t samples) {
     auto const scores = [&](std::size_t core) {
-        CoreShare const share = share_of(core, machine.cores, samples);
-        return share.count > 0 && share.first <= window.samples->last &&
-               window.samples->first < share.first + share.count;
+        return window.wanted_of(share_of(core, machine.cores, samples)).count > 0;
     };
     if (std::any_of(window.cores.begin(), window.cores.end(), scores))
         return;

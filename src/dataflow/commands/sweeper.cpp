@@ -7,6 +7,7 @@
 
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/json.hpp"
 #include "dataflow/base/on_threads.hpp"
@@ -97,7 +98,7 @@ Machine with_timing_of(LoadedConfig const& point, RunConfig recorded) {
 void retime_points(sweeps::Assignment const& assignment, sweeps::Sweep const& sweep, PointCheck& check,
                    std::filesystem::path const& events, SweepReply& reply) {
     constexpr std::chrono::milliseconds long_enough{300};
-    auto const start = std::chrono::steady_clock::now();
+    auto const start = HostClock::now();
     try {
         events::EventFile const recorded = events::read_event_file(events);
         if (recorded.function != assignment.function)
@@ -109,7 +110,7 @@ void retime_points(sweeps::Assignment const& assignment, sweeps::Sweep const& sw
                 return;
             Machine const machine = with_timing_of(asked, recorded.loaded.config);
             reply.results.emplace_back(point, sweeps::result_of(replay::retime(run, machine)));
-            if (std::chrono::steady_clock::now() - start > long_enough)
+            if (HostClock::now() - start > long_enough)
                 return;
         }
     } catch (HostError const&) {

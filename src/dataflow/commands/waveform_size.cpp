@@ -33,20 +33,11 @@ constexpr double surely_small_cycles = 100'000;  ///< of all cores: about 200 MB
 
 using recording::RecordingWindow;
 
-/// Of a core's samples those that are wanted.
-std::size_t wanted_of(CoreShare const& share, RecordingWindow const& window) {
-    if (!window.samples)
-        return share.count;
-    std::size_t const first = std::max(share.first, window.samples->first);
-    std::size_t const end = std::min(share.first + share.count, window.samples->last + 1);
-    return end > first ? end - first : 0;
-}
-
 /// Of the first core, and no more than are wanted.
 std::size_t samples_to_try(Machine const& machine, RecordingWindow const& window, std::size_t samples) {
     std::size_t most = 1;
     for (std::size_t const core : window.cores)
-        most = std::max(most, wanted_of(share_of(core, machine.cores, samples), window));
+        most = std::max(most, window.wanted_of(share_of(core, machine.cores, samples)).count);
     return std::min({samples_tried, most, share_of(0, machine.cores, samples).count});
 }
 
@@ -110,7 +101,7 @@ Scale scale_of(Trial const& trial, RecordingWindow const& window, Machine const&
     Scale scale;
     auto const tried = static_cast<double>(samples_to_try(machine, window, samples));
     for (std::size_t const core : window.cores) {
-        auto const wanted = static_cast<double>(wanted_of(share_of(core, machine.cores, samples), window));
+        auto const wanted = static_cast<double>(window.wanted_of(share_of(core, machine.cores, samples)).count);
         double const times = times_of(trial, window, wanted, tried);
         scale.samples += times;
         scale.cycles = std::max(scale.cycles, times);

@@ -16,7 +16,7 @@ void give_way() {
 
 }  // namespace
 
-Job::Job(Work work, Clock::duration patience)
+Job::Job(Work work, HostClock::duration patience)
     : patience_(patience), thread_([this, work = std::move(work)] { run(work); }) {}
 
 Job::~Job() {
@@ -43,7 +43,7 @@ void Job::run(Work const& work) {
 }
 
 void Job::check() const {
-    if (is_cancelled_ || Clock::now() - asked_at_.load() > patience_)
+    if (is_cancelled_ || HostClock::now() - asked_at_.load() > patience_)
         throw Cancelled();
 }
 
@@ -53,7 +53,7 @@ void Job::end(Json state) {
 }
 
 Json Job::state() {
-    asked_at_ = Clock::now();
+    asked_at_ = HostClock::now();
     std::lock_guard<std::mutex> const lock(mutex_);
     return end_.is_null() ? Json{{"state", "running"}, {"done", done_.load()}, {"steps", steps_.load()}} : end_;
 }

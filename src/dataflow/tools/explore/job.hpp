@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "dataflow/base/host_clock.hpp"
 #include "dataflow/base/json.hpp"
 
 namespace dataflow::explore {
@@ -29,10 +30,8 @@ class Job {
     /// Returns the result, or throws what says why there is none.
     using Work = std::function<Json(Progress const& progress)>;
 
-    using Clock = std::chrono::steady_clock;
-
     /// `patience`: how long it goes on without being asked for its state.
-    explicit Job(Work work, Clock::duration patience = std::chrono::seconds(20));
+    explicit Job(Work work, HostClock::duration patience = std::chrono::seconds(20));
     /// Cancels it.
     ~Job();
     Job(Job const&) = delete;
@@ -48,8 +47,8 @@ class Job {
     void check() const;
     void end(Json state);
 
-    Clock::duration patience_;
-    std::atomic<Clock::time_point> asked_at_{Clock::now()};
+    HostClock::duration patience_;
+    std::atomic<HostClock::time_point> asked_at_{HostClock::now()};
     std::atomic<bool> is_cancelled_{false};
     std::atomic<std::size_t> done_{0};
     std::atomic<std::size_t> steps_{0};

@@ -57,12 +57,12 @@ std::uint64_t ToldLoops::done_in_loop(timing::ProcessTiming const& process) {
 CoreRecorder::CoreRecorder(RunningCore& core, RecordingWindow const& window) : core_(core) {
     CoreShare const share = core.share();
     if (window.samples) {
-        std::size_t const first = std::max(window.samples->first, share.first);
-        std::size_t const end = std::min(window.samples->last + 1, share.first + share.count);
-        if (first >= end)
+        CoreShare const wanted = window.wanted_of(share);
+        std::size_t const first = wanted.first - share.first;
+        if (wanted.count == 0)
             phase_ = Phase::done;
         else
-            samples_ = RecordingWindow::Samples{first - share.first, end - 1 - share.first};
+            samples_ = RecordingWindow::Samples{first, first + wanted.count - 1};
     } else {
         from_ = window.from;
         to_ = window.to;

@@ -6,11 +6,19 @@
 #include "chance/pair.hpp"
 #include "dataflow/tools/sizing/core_times.hpp"
 
-namespace unread_test {
+namespace needed_room_test {
 
 using namespace faster;
 using namespace faster::chance;
 using faster::Engine;
+
+replay::RecordedRun recorded_run(Pair const& pair, std::shared_ptr<Machine const> const& machine) {
+    replay::RecordedRun recorded;
+    SimulationOptions options;
+    options.recorded = &recorded;
+    simulate(*accelerator_of(pair, machine, 1, Engine::decoupled), options);
+    return recorded;
+}
 
 TEST_CASE("tokens that nobody ever reads need room, too") {
     Pair pair = sound_pair();
@@ -20,10 +28,7 @@ TEST_CASE("tokens that nobody ever reads need room, too") {
     deep.fifo("f").depth = 64;
     auto const machine = std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), deep));
     std::string const room = testing::forked_bytes([&] {
-        replay::RecordedRun recorded;
-        SimulationOptions options;
-        options.recorded = &recorded;
-        simulate(*accelerator_of(pair, machine, 1, Engine::decoupled), options);
+        replay::RecordedRun const recorded = recorded_run(pair, machine);
         sizing::CoreTimes times(recorded, *machine);
         sizing::Choice const choice = sizing::choice_of(*machine);
         times.total_cycles(choice, 1);
@@ -71,10 +76,7 @@ TEST_CASE("tokens that are written in one cycle need room for all of them") {
                 return make_machine(core_of({pair.writer, pair.reader}), settings);
             };
             auto const machine = std::make_shared<Machine const>(with_depth(16));
-            replay::RecordedRun recorded;
-            SimulationOptions options;
-            options.recorded = &recorded;
-            simulate(*accelerator_of(pair, machine, 1, Engine::decoupled), options);
+            replay::RecordedRun const recorded = recorded_run(pair, machine);
             sizing::CoreTimes times(recorded, *machine);
             std::string text;
             for (std::uint64_t depth = 16; depth > 0; --depth) {
@@ -91,4 +93,4 @@ TEST_CASE("tokens that are written in one cycle need room for all of them") {
     }
 }
 
-}  // namespace unread_test
+}  // namespace needed_room_test

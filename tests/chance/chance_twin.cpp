@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -173,6 +174,7 @@ class CoreSimulation {
         bool is_handed_over = false;
         bool has_accessed = false;
         Cycles empty = 0, full = 0, idle = 0;
+        std::map<std::size_t, Cycles> waited;  ///< in the step at hand, by FIFO
         std::vector<Cycles> begins, ends;
         std::vector<std::string> outcomes;  ///< of attempts, by FIFO
         std::optional<std::size_t> master;  ///< in the memory
@@ -335,7 +337,7 @@ class CoreSimulation {
             if (may_access(number, fifo))
                 continue;
             bool const writes = design_.writes(number, fifo);
-            ++(writes ? fifos[fifo].full : fifos[fifo].empty);
+            ++process.waited[fifo];
             bool const is_idle = !process.has_accessed && process.next == 0 && !takes;
             ++(is_idle ? process.idle : writes ? process.full : process.empty);
             return false;
@@ -349,6 +351,8 @@ class CoreSimulation {
         Step const& step = process.steps[process.next];
         process.next += step.rest ? 0U : 1U;
         process.is_handed_over = false;
+        for (auto const& [fifo, cycles] : std::exchange(process.waited, {}))
+            (design_.writes(number, fifo) ? fifos[fifo].full : fifos[fifo].empty) += cycles;
         if (step.token && process.master) {
             testing::TwinMasterModel& master = memory_->master(*process.master);
             design_.processes[number].port.writes ? master.give(step.token->first, step.token->second, cycle_ + 1)
@@ -482,15 +486,20 @@ void add_samples(Design const& design, CoreSimulation const& core, std::size_t b
     }
 }
 
-void add_tables(Design const& design, std::size_t core, CoreSimulation const& simulation, std::size_t samples,
-                Cycles total, Figures& figures) {
+void add_fifos(Design const& design, std::size_t core, CoreSimulation const& simulation,
+               std::vector<std::string>& lines) {
     for (std::size_t i = 0; i < design.fifos.size(); ++i) {
         if (design.fifos[i].is_ping_pong)
             continue;
         CoreSimulation::OfFifo const& fifo = simulation.fifos[i];
-        figures.lines.push_back(fifo_line(core, design.fifos[i].name, fifo.written.size(), fifo.read.size(), fifo.full,
-                                          fifo.empty, fifo.most));
+        lines.push_back(fifo_line(core, design.fifos[i].name, fifo.written.size(), fifo.read.size(), fifo.full,
+                                  fifo.empty, fifo.most));
     }
+}
+
+void add_tables(Design const& design, std::size_t core, CoreSimulation const& simulation, std::size_t samples,
+                Cycles total, Figures& figures) {
+    add_fifos(design, core, simulation, figures.lines);
     for (Process const& process : design.processes)
         for (std::size_t i = 0; i < process.loops.size(); ++i) {
             std::uint64_t entries = 0, iterations = 0;
@@ -537,6 +546,10 @@ Figures simulated(Design const& design) {
     }
     if (figures.is_stuck) {
         figures.lines.insert(figures.lines.begin(), fmt::format("deadlock at {}", latest));
+        std::vector<std::string> fifos;
+        for (std::size_t core = 0; core < cores.size(); ++core)
+            add_fifos(design, core, cores[core], fifos);
+        figures.add_in_order(std::move(fifos));
         return figures;
     }
     figures.lines.push_back(fmt::format("total {}", total));

@@ -7,15 +7,19 @@ namespace faster::chance {
 
 namespace {
 
-void add_tables(RunStatistics const& run, std::size_t core, std::vector<std::string>& lines) {
-    CoreStatistics const& of_core = run.cores[core];
+void add_fifos(RunStatistics const& run, std::size_t core, std::vector<std::string>& lines) {
     for (std::size_t i = 0; i < run.machine.fifos.size(); ++i) {
         if (run.machine.fifos[i].hands_over > 0)
             continue;
-        FifoStatistics const& fifo = of_core.fifos[i];
+        FifoStatistics const& fifo = run.cores[core].fifos[i];
         lines.push_back(fifo_line(core, run.machine.fifos[i].name, fifo.writes, fifo.reads, fifo.full_stall_cycles,
                                   fifo.empty_stall_cycles, fifo.max_occupancy));
     }
+}
+
+void add_tables(RunStatistics const& run, std::size_t core, std::vector<std::string>& lines) {
+    add_fifos(run, core, lines);
+    CoreStatistics const& of_core = run.cores[core];
     for (std::size_t i = 0; i < run.machine.loops.size(); ++i) {
         LoopStatistics const& loop = of_core.loops[i];
         lines.push_back(loop_line(core, run.machine.loop_name(i), loop.ii, loop.entries, loop.iterations));
@@ -66,6 +70,10 @@ Figures figures_of(RunStatistics const& run) {
         for (StuckProcess const& one : run.stuck)
             figures.lines.push_back(wait_line(one.core, one.process, one.fifo, one.to_write, one.since_cycle,
                                               one.waits_for, one.occupancy));
+        std::vector<std::string> fifos;
+        for (std::size_t core = 0; core < run.cores.size(); ++core)
+            add_fifos(run, core, fifos);
+        figures.add_in_order(std::move(fifos));
         return figures;
     }
     figures.total_cycles = run.total_cycles;
@@ -75,6 +83,11 @@ Figures figures_of(RunStatistics const& run) {
     for (std::size_t core = 0; core < run.cores.size(); ++core)
         add_tables(run, core, figures.lines);
     return figures;
+}
+
+void Figures::add_in_order(std::vector<std::string> fifos) {
+    std::sort(fifos.begin(), fifos.end());
+    lines.insert(lines.end(), fifos.begin(), fifos.end());
 }
 
 std::string first_difference(Figures const& found, Figures const& expected) {

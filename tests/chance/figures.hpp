@@ -15,9 +15,13 @@ struct Figures {
     /// Of a simulation cycle by cycle: what attempts found, a letter each; by process of all cores and FIFO, as
     /// attempts of one cycle have no order.
     std::vector<std::string> outcomes;
+
+    /// In the order of names, as designs list their FIFOs in another one than machines.
+    void add_in_order(std::vector<std::string> fifos);
 };
 
-/// Of a run that got stuck: when, and who waits for whom. Otherwise totals, samples and tables.
+/// Of a run that got stuck: when, who waits for whom, and what FIFOs have done until then. Otherwise totals, samples
+/// and tables.
 Figures figures_of(RunStatistics const& run);
 
 std::string sample_line(std::uint64_t sample, Cycles begin, Cycles end);

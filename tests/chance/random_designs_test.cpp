@@ -115,6 +115,8 @@ TEST_CASE("random designs that once did not agree do") {
           // with a pace
           770019UL, 770160UL, 770421UL, 770453UL, 90003708UL, 90004670UL, 1795732945919UL, 1795732948802UL, 930044UL,
           128002782UL,
+          // that get stuck in a step of several tokens
+          100145UL,
           // with calls that do nothing
           438UL, 1594UL, 2782UL, 2980UL})
         check_seed(seed, count);

@@ -198,7 +198,8 @@ struct Automaton::Session {
         std::int64_t arrival;
         unsigned port;
     };
-    std::vector<Entry> entry;  ///< where each follower stood, in absolute cycles
+    std::vector<Entry> entry;               ///< where each follower stood, in absolute cycles
+    std::vector<Transition::Stand> waited;  ///< and what it had waited for
     std::vector<std::vector<Cycles>> rooms;
     std::uint32_t entered = 0;  ///< members that entered a loop, a bit each
     // Iterations of a supplier that takes from memory: those that it had to do and was sure to find at the begin, those

@@ -170,6 +170,7 @@ bool Automaton::begin(Group const& group, Script const* script) {
     session_->history.clear();
     session_->entered = 0;
     session_->entry.clear();
+    session_->waited.clear();
     session_->rooms.assign(group.fifos().size(), {});
     session_->fed_cycles.clear();
     if (!find_outlooks(group, script, real))
@@ -185,7 +186,7 @@ bool Automaton::begin(Group const& group, Script const* script) {
     real.clear_logs(logs);
     session_->begin = session_->time = group.driver().local_time();
     bench_->go_to(page_.words());
-    std::vector<TransitionBench::Waiting> const waitings = bench_->park(worked_on_.figures);
+    std::vector<TransitionBench::Waiting> const waitings = bench_->park(worked_on_.figures, session_->waited);
     for (unsigned m = 1; m < group.members().size(); ++m) {
         TransitionBench::Waiting const& waiting = waitings[m - 1];
         Cycles const own = group.members()[m].process->local_time();
@@ -273,27 +274,39 @@ template <class Visit> void Automaton::go_back(Session const& session, Visit vis
 /// A follower's own time is that of the last transition that moved it; it only waited since.
 void Automaton::restore_stands(RelativeState& real) {
     std::vector<Session::Entry> found = session_->entry;
+    std::vector<std::vector<RelativeState::Wait>> waits(found.size());
     std::uint32_t missing_since = (1U << (found.size() + 1)) - 2;
     std::uint32_t missing_arrival = missing_since;
-    go_back(*session_, [&](Number number, Cycles time) {
-        for (Stand const& stand : stands(*session_, number)) {
-            std::uint32_t const bit = 1U << stand.member;
-            Session::Entry& entry = found[stand.member - 1U];
-            if ((missing_since & bit) != 0) {
-                entry.since = stand.since + static_cast<std::int64_t>(time);
-                entry.port = static_cast<unsigned>(stand.port);
-            }
-            missing_since &= ~bit;
-            if (stand.arrived && (missing_arrival & bit) != 0)
-                entry.arrival = stand.arrival + static_cast<std::int64_t>(time);
-            if (stand.arrived)
-                missing_arrival &= ~bit;
+    auto const take = [&](Stand const& stand, Cycles time) {
+        std::uint32_t const bit = 1U << stand.member;
+        Session::Entry& entry = found[stand.member - 1U];
+        auto const since = stand.since + static_cast<std::int64_t>(time);
+        if (stand.is_over) {
+            if ((missing_arrival & bit) != 0)
+                waits[stand.member - 1U].push_back({static_cast<unsigned>(stand.port), static_cast<Cycles>(since)});
+            return;
         }
+        if ((missing_since & bit) != 0) {
+            entry.since = since;
+            entry.port = static_cast<unsigned>(stand.port);
+        }
+        missing_since &= ~bit;
+        if (stand.arrived && (missing_arrival & bit) != 0)
+            entry.arrival = stand.arrival + static_cast<std::int64_t>(time);
+        if (stand.arrived)
+            missing_arrival &= ~bit;
+    };
+    go_back(*session_, [&](Number number, Cycles time) {
+        auto const all = stands(*session_, number);
+        for (Stand const* stand = all.end(); stand != all.begin(); --stand)
+            take(stand[-1], time);
         return missing_arrival != 0;
     });
+    for (std::size_t i = session_->waited.size(); i > 0; --i)
+        take(session_->waited[i - 1], session_->begin);
     for (unsigned m = 1; m <= found.size(); ++m) {
         Session::Entry const& entry = found[m - 1];
-        real.unpark(m, entry.port, static_cast<Cycles>(entry.arrival), static_cast<Cycles>(entry.since));
+        real.unpark(m, entry.port, static_cast<Cycles>(entry.arrival), static_cast<Cycles>(entry.since), waits[m - 1]);
     }
 }
 

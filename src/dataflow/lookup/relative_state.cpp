@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "dataflow/base/each_bit.hpp"
+
 namespace dataflow::timing {
 
 Ports::Number RelativeState::next_ports(unsigned member) const {
@@ -17,27 +19,31 @@ void RelativeState::charge(unsigned member, unsigned port, Cycles cycles) {
     (p.writes(port) ? figures.full_stall_cycles : figures.empty_stall_cycles) += cycles;
 }
 
-void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycles since) {
+void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycles since,
+                           std::vector<Wait> const& waits) {
     ProcessTiming::View const p = view(member);
     if (process(member).flushes()) {  // its bubbles are over, whatever comes
         port != no_port ? p.waits_since(arrival) : p.arrived(arrival);
         return;
     }
-    if (port != no_port) {
-        charge(member, port, since - p.state().time);  // in two's complement: what was charged ahead is taken back
-        // What the step has found already was there when the waiting began; the state only knows that it is there now.
-        std::uint32_t const before = (1U << port) - 1U;
-        for (std::uint32_t mask = next_ports(member) & before; mask != 0; mask &= mask - 1)
-            make_legal(member, static_cast<unsigned>(__builtin_ctz(mask)), since);
-    }
-    p.state().time = since;
-    if (port != no_port || arrival < since)  // no longer for the driver, but for the same as before
-        p.waits_since(arrival);
+    // What was charged ahead is taken back, in two's complement.
+    if (port != no_port)
+        charge(member, port, since - p.state().time);
+    for (std::size_t i = 0; i < waits.size(); ++i)
+        charge(member, waits[i].port, (i + 1 < waits.size() ? waits[i + 1].until : arrival) - waits[i].until);
+    std::uint32_t const last = port != no_port ? (1U << port) - 1U : waits.empty() ? 0 : (2U << waits[0].port) - 1U;
+    for_each_bit(next_ports(member) & last, [&](unsigned number) {
+        auto const wait = std::find_if(waits.begin(), waits.end(), [&](Wait const& w) { return w.port == number; });
+        make_legal(member, number, wait != waits.end() ? wait->until : arrival);
+    });
+    p.state().time = arrival;
 }
 
+/// Where a state only knows that a port can be accessed now.
 void RelativeState::make_legal(unsigned member, unsigned port, Cycles from) {
-    Cycles& earliest = (*view(member).port(port).end.consumes)[0];
-    earliest = std::min(earliest, from);
+    auto const& end = view(member).port(port).end;
+    if (end.known() > 0 && end.earliest() <= process(member).local_time())
+        (*end.consumes)[0] = std::min((*end.consumes)[0], from);
 }
 
 bool RelativeState::save(StatePage& page, std::uint32_t with_logs) const {

@@ -46,8 +46,14 @@ class RelativeState {
     std::uint64_t entries(unsigned member) const { return view(member).figures().loops_entered; }
     std::uint64_t iterations(unsigned member) const { return process(member).iterations(); }
     void set_iterations(unsigned member, std::uint64_t iterations) { process(member).set_iterations(iterations); }
-    /// Moves a follower back to when its waiting for a port began.
-    void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since);
+    /// What a follower waited for before that, in the step it is at.
+    struct Wait {
+        unsigned port;
+        Cycles until;
+    };
+    /// Moves a follower back to when it arrived at its step, where it waits for a port since a cycle. Of the waits
+    /// before that, the latest is first.
+    void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since, std::vector<Wait> const& waits);
     /// Cycles from which on there is room in FIFO `f`, and how to set them: see Automaton on frozen writers.
     std::vector<Cycles> room_times(unsigned fifo) const;
     void set_room_time(unsigned fifo, std::uint64_t i, Cycles cycle);

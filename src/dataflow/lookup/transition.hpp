@@ -15,12 +15,15 @@ namespace dataflow::timing {
 struct Transition {
     static constexpr unsigned most_members = Lead::most_members;
 
-    struct Stand {  ///< of a follower, at the end
-        std::int32_t since;
-        std::int32_t arrival;
-        std::int16_t port;  ///< waited for since then; -1: none
+    /// Of a follower, at the end: what it waits for in its step. Behind it those that say which waits of that step it
+    /// has been charged with and are over, in the order of ports.
+    struct Stand {
+        std::int32_t since;    ///< or until when it waited
+        std::int32_t arrival;  ///< at the step
+        std::int16_t port;     ///< waited for since then; -1: none
         std::uint8_t member;
-        bool arrived;
+        bool arrived;  ///< has come to the step by this transition
+        bool is_over;
     };
     struct Room {  ///< cycles from which a frozen writer will find room
         unsigned fifo;

@@ -130,14 +130,21 @@ unsigned TransitionBench::port_that_freezes(unsigned member) {
 }
 
 /// Charges a follower that waits for the driver with the cycles up to the driver's local time: whatever it waits for
-/// cannot come earlier.
-TransitionBench::Waiting TransitionBench::park_follower(unsigned member) {
+/// cannot come earlier. Adds what it was charged with for other ports of the same step to `waits`.
+TransitionBench::Waiting TransitionBench::park_follower(unsigned member, std::vector<Transition::Stand>& waits) {
     BenchProcess& process = members_[member].process;
+    unsigned const port_before = members_[member].still_stands() ? members_[member].port_before : BenchProcess::no_port;
+    auto const is_over = [&](unsigned port) {
+        waits.push_back({static_cast<std::int32_t>(process.time() - base_), 0, static_cast<std::int16_t>(port),
+                         static_cast<std::uint8_t>(member), false, true});
+    };
     Waiting waiting;
     waiting.arrival = waiting.since = process.time();
     unsigned const port = process.flushes() ? port_that_freezes(member) : blocked_port(member);
     if (!waits_for_driver(member, port)) {
         process.set_parked_at(BenchProcess::no_port);
+        if (port_before != BenchProcess::no_port && !process.flushes())
+            is_over(port_before);
         return waiting;
     }
     waiting.waits = true;
@@ -152,17 +159,20 @@ TransitionBench::Waiting TransitionBench::park_follower(unsigned member) {
         process.wait(before, process.port(before).end.earliest());
         if (process.time() > arrival && trail_ != nullptr)
             process.leave_trail(before);
+        if (process.time() > arrival || before == port_before)
+            is_over(before);
     });
     waiting.since = process.time();
     process.wait(port, members_.front().process.not_before());
     return waiting;
 }
 
-std::vector<TransitionBench::Waiting> TransitionBench::park(FigureBlocks& figures) {
+std::vector<TransitionBench::Waiting> TransitionBench::park(FigureBlocks& figures,
+                                                            std::vector<Transition::Stand>& waits) {
     start();
     std::vector<Waiting> waitings;
     for (unsigned m = 1; m < members_.size(); ++m)
-        waitings.push_back(park_follower(m));
+        waitings.push_back(park_follower(m, waits));
     take_figures(figures);
     save();
     return waitings;
@@ -252,13 +262,15 @@ void TransitionBench::describe_stands(std::uint32_t told, Transition& transition
         bool const active = ((told >> m) & 1U) != 0 || members_[m].has_accessed;
         if (!active && (members_[m].process.is_frozen() || goes_on_waiting(m)))
             continue;
-        bool const arrived = active && !members_[m].still_waits();
-        Waiting const waiting = park_follower(m);
-        bool const waits_anew = waiting.waits && waiting.port != members_[m].port_before;
-        if (active || waits_anew || waiting.since != members_[m].time_before)
-            transition.stands.push_back(
-                {static_cast<std::int32_t>(waiting.since - base_), static_cast<std::int32_t>(waiting.arrival - base_),
-                 static_cast<std::int16_t>(waiting.port), static_cast<std::uint8_t>(m), arrived});
+        bool const stays = members_[m].still_stands();
+        std::vector<Transition::Stand> waits;
+        Waiting const waiting = park_follower(m, waits);
+        if (stays && waiting.port == members_[m].port_before)
+            continue;
+        transition.stands.push_back(
+            {static_cast<std::int32_t>(waiting.since - base_), static_cast<std::int32_t>(waiting.arrival - base_),
+             static_cast<std::int16_t>(waiting.port), static_cast<std::uint8_t>(m), active && !stays, false});
+        transition.stands.insert(transition.stands.end(), waits.begin(), waits.end());
     }
 }
 

@@ -36,7 +36,8 @@ class TransitionBench {
 
     /// Charges the followers that wait for the driver (park_follower), where it is. By follower. `figures` are
     /// those of Transition.
-    std::vector<Waiting> park(FigureBlocks& figures);
+    /// `waits` are those that are over, see Transition::Stand.
+    std::vector<Waiting> park(FigureBlocks& figures, std::vector<Transition::Stand>& waits);
     std::vector<TrailEvent> take_trail(std::int64_t since = 0);
 
     /// A phrase, and what the supplier does besides, if there is one: iterations that write its anchor, of which it has
@@ -64,7 +65,7 @@ class TransitionBench {
     unsigned blocked_port(unsigned member) const;
     bool waits_for_driver(unsigned member, unsigned port, unsigned depth = 0) const;
     unsigned port_that_freezes(unsigned member);
-    Waiting park_follower(unsigned member);
+    Waiting park_follower(unsigned member, std::vector<Transition::Stand>& waits);
     bool goes_on_waiting(unsigned member);
     void save();
     void describe_stands(std::uint32_t told, Transition& transition);
@@ -86,10 +87,8 @@ class TransitionBench {
         unsigned port_before = BenchProcess::no_port;
         bool has_accessed = false;  ///< in the transition
 
-        /// It waits for the same as before, and has been charged for that.
-        bool still_waits() const {
-            return port_before != BenchProcess::no_port && !has_accessed && process.time() == time_before;
-        }
+        /// It is at the step that it was at before.
+        bool still_stands() const { return !has_accessed && process.time() == time_before; }
     };
 
     std::unique_ptr<CoreTiming> shape_;

@@ -71,10 +71,6 @@ struct Agreement {
 
 using Values = std::vector<double>;
 
-double ratio(std::uint64_t part, std::uint64_t whole) {
-    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
-}
-
 template <class Rows, class Figure> Values figures(Rows const& rows, Figure figure) {
     Values values;
     for (auto const& row : rows)
@@ -83,8 +79,12 @@ template <class Rows, class Figure> Values figures(Rows const& rows, Figure figu
 }
 
 /// Ratios of a flow's counters, and their mean: what GripComparison ranks its samples by.
-double raw_ratio(SampleCounters const& counters) { return ratio(counters.inlier, counters.valid_raster); }
-double edge_ratio(SampleCounters const& counters) { return ratio(counters.edge_inlier, counters.valid_edge); }
+double raw_ratio(SampleCounters const& counters) {
+    return grip::InlierCount{counters.valid_raster, counters.inlier}.ratio();
+}
+double edge_ratio(SampleCounters const& counters) {
+    return grip::InlierCount{counters.valid_edge, counters.edge_inlier}.ratio();
+}
 double weight(SampleCounters const& counters) { return (raw_ratio(counters) + edge_ratio(counters)) / 2; }
 
 Values grip_weights(GripComparison const& comparison) {

@@ -6,10 +6,6 @@ namespace faster::estimation {
 
 namespace {
 
-double ratio(std::uint64_t part, std::uint64_t whole) {
-    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
-}
-
 double in_box_by_counters(InBoxTerm term, double raw, BoxFit const& fit) {
     switch (term) {
         case InBoxTerm::overlap:
@@ -29,7 +25,7 @@ double in_box_by_points(InBoxTerm term, grip::PoseScore const& score, BoxFit con
         case InBoxTerm::overlap:
             return score.raw.ratio() * fit.overlap;
         case InBoxTerm::all_points:
-            return ratio(score.in_box.inliers, score.raw.points);
+            return grip::InlierCount{score.raw.points, score.in_box.inliers}.ratio();
         case InBoxTerm::box_points:
             return score.in_box.ratio();
         case InBoxTerm::none:
@@ -50,7 +46,7 @@ WeightTerms terms_of(SampleCounters const& counters, double confidence, BoxFit c
         static_cast<double>(counters.valid_raster) - settings.hidden * static_cast<double>(counters.hidden);
     terms.raw = looked_for > 0 ? std::min(1.0, static_cast<double>(counters.inlier) / looked_for) : 0;
     terms.in_box = in_box_by_counters(settings.in_box, terms.raw, fit);
-    terms.edge = ratio(counters.edge_inlier, counters.valid_edge);
+    terms.edge = grip::InlierCount{counters.valid_edge, counters.edge_inlier}.ratio();
     return terms;
 }
 

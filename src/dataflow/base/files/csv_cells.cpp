@@ -5,16 +5,10 @@
 
 #include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/text_lines.hpp"
 
 namespace dataflow::io {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    auto const first = text.find_first_not_of(blanks);
-    return first == std::string_view::npos ? std::string_view{}
-                                           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 /// Takes the text up to `separator` off the front of `rest`, and the separator with it.
 std::string_view take_until(std::string_view& rest, char separator) {

@@ -6,6 +6,7 @@
 
 #include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/tools/budgets/baseline_reader.hpp"
 #include "dataflow/tools/budgets/baseline_text.hpp"
 
@@ -28,11 +29,6 @@ Lines lines_of(std::string const& text) {
     return lines;
 }
 
-std::string trimmed(std::string const& line) {
-    std::size_t const first = line.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(" \t") - first + 1);
-}
-
 /// Where the comment of a line starts, quoted text skipped; npos if it has none.
 std::size_t comment_start(std::string const& line) {
     char quote = '\0';
@@ -51,7 +47,7 @@ std::size_t comment_start(std::string const& line) {
 }
 
 std::string key_of(std::string const& line) {
-    std::string const text = trimmed(line);
+    std::string const text(trimmed(line));
     std::size_t const colon = std::min(text.find(": "), text.size());
     std::string const key = text.substr(0, colon);
     return !key.empty() && key.back() == ':' ? key.substr(0, key.size() - 1) : key;

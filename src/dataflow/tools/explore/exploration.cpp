@@ -231,16 +231,11 @@ Json Exploration::design() const {
 }
 
 std::shared_ptr<RunStatistics const> Exploration::retimed_run(Overrides const& overrides) {
-    {
-        std::lock_guard<std::mutex> const lock(mutex_);
-        if (kept_run_.run && kept_run_.overrides == overrides)
-            return kept_run_.run;
-    }
-    auto run = std::make_shared<RunStatistics const>(
-        replay::retime(scripted_, machine_of(changed(overrides)), jobs_or_host_cores(0)));
-    std::lock_guard<std::mutex> const lock(mutex_);
-    kept_run_ = {overrides, run};
-    return run;
+    if (auto run = last_run_.find(overrides))
+        return run;
+    return last_run_.keep(std::make_shared<RunStatistics const>(
+                              replay::retime(scripted_, machine_of(changed(overrides)), jobs_or_host_cores(0))),
+                          overrides);
 }
 
 /// The one that answers for overrides that the recorded run cannot be retimed with, as a non-blocking access would find
@@ -248,20 +243,15 @@ std::shared_ptr<RunStatistics const> Exploration::retimed_run(Overrides const& o
 std::shared_ptr<Exploration> Exploration::other_run(Overrides const& overrides) {
     if (!run_again_)
         return nullptr;
-    {
-        std::lock_guard<std::mutex> const lock(mutex_);
-        if (other_run_.exploration && other_run_.overrides == overrides)
-            return other_run_.exploration;
-    }
+    if (auto other = last_other_.find(overrides))
+        return other;
     try {
         retimed_run(overrides);
         return nullptr;
     } catch (replay::OutcomeDiffers const&) {
         events::EventFile file = run_again_(exported_yaml(changed(overrides)));
-        auto other = std::make_shared<Exploration>(title_, std::move(file.loaded), std::move(file.run), require_);
-        std::lock_guard<std::mutex> const lock(mutex_);
-        other_run_ = {overrides, other};
-        return other;
+        return last_other_.keep(
+            std::make_shared<Exploration>(title_, std::move(file.loaded), std::move(file.run), require_), overrides);
     }
 }
 
@@ -285,22 +275,17 @@ Json Exploration::critical_path(Overrides const& overrides) {
     return run.critical_path ? report::critical_path_json(run) : Json();
 }
 
-/// The last one is kept: who zooms asks for its parts.
-std::shared_ptr<Exploration::KeptTimeline const> Exploration::kept_timeline(Overrides const& overrides,
-                                                                            std::size_t sample) {
-    {
-        std::lock_guard<std::mutex> const lock(mutex_);
-        if (kept_ && kept_->overrides == overrides && kept_->timeline.sample == sample)
-            return kept_;
-    }
+std::shared_ptr<Exploration::TimelineOf const> Exploration::timeline_of(Overrides const& overrides,
+                                                                        std::size_t sample) {
+    if (auto timeline = last_timeline_.find(overrides, sample))
+        return timeline;
     Machine const machine = machine_of(changed(overrides));
     std::shared_ptr<RunStatistics const> const run = retimed_run(overrides);
     if (run->deadlocked())
         throw InputError("the run deadlocks, expected one that ends");
-    auto const made = std::make_shared<KeptTimeline const>(
-        KeptTimeline{overrides, machine, replayed_timeline(scripted_, machine, run->samples[sample])});
-    std::lock_guard<std::mutex> const lock(mutex_);
-    return kept_ = made;
+    return last_timeline_.keep(std::make_shared<TimelineOf const>(
+                                   TimelineOf{machine, replayed_timeline(scripted_, machine, run->samples[sample])}),
+                               overrides, sample);
 }
 
 Json Exploration::timeline(Overrides const& overrides, std::size_t sample, Cycles from, Cycles to) {
@@ -308,11 +293,11 @@ Json Exploration::timeline(Overrides const& overrides, std::size_t sample, Cycle
         throw InputError(fmt::format("sample = {}, expected one below {}", sample, run_.tape.samples()));
     if (auto const other = other_run(overrides))
         return other->timeline({}, sample, from, to);
-    std::shared_ptr<KeptTimeline const> const kept = kept_timeline(overrides, sample);
-    Cycles const end = to == 0 ? kept->timeline.end : to;
-    Json json = report::timeline_data(kept->machine, cut(kept->timeline, from, end));
-    json["sample_begin"] = kept->timeline.begin;
-    json["sample_end"] = kept->timeline.end;
+    std::shared_ptr<TimelineOf const> const all = timeline_of(overrides, sample);
+    Cycles const end = to == 0 ? all->timeline.end : to;
+    Json json = report::timeline_data(all->machine, cut(all->timeline, from, end));
+    json["sample_begin"] = all->timeline.begin;
+    json["sample_end"] = all->timeline.end;
     return json;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dataflow/base/json.hpp"
@@ -62,24 +63,37 @@ class Exploration {
     RunAgain run_again_;            ///< empty of a design without such accesses
     replay::ScriptedRun scripted_;  ///< of the run
 
-    struct KeptRun {
-        Overrides overrides;
-        std::shared_ptr<RunStatistics const> run;
-    };
-    struct KeptTimeline {
-        Overrides overrides;
+    struct TimelineOf {
         Machine machine;
         SampleTimeline timeline;
     };
-    std::shared_ptr<KeptTimeline const> kept_timeline(Overrides const& overrides, std::size_t sample);
-    std::mutex mutex_;
-    struct OtherRun {
-        Overrides overrides;
-        std::shared_ptr<Exploration> exploration;
+    std::shared_ptr<TimelineOf const> timeline_of(Overrides const& overrides, std::size_t sample);
+
+    /// What was made last. It is likely to be asked for again: by who has seen a run's figures, for a sample of it; by
+    /// who zooms, for a part of a timeline.
+    template <class Made> class Last {
+      public:
+        /// Null: it was made for something else.
+        std::shared_ptr<Made> find(Overrides const& overrides, std::size_t sample = 0) {
+            std::lock_guard<std::mutex> const lock(mutex_);
+            return overrides == overrides_ && sample == sample_ ? made_ : nullptr;
+        }
+        std::shared_ptr<Made> keep(std::shared_ptr<Made> made, Overrides const& overrides, std::size_t sample = 0) {
+            std::lock_guard<std::mutex> const lock(mutex_);
+            overrides_ = overrides;
+            sample_ = sample;
+            return made_ = std::move(made);
+        }
+
+      private:
+        std::mutex mutex_;
+        Overrides overrides_;
+        std::size_t sample_ = 0;
+        std::shared_ptr<Made> made_;
     };
-    OtherRun other_run_;  ///< the last that was recorded
-    KeptRun kept_run_;    ///< the last one: who has seen its figures asks for a sample of it
-    std::shared_ptr<KeptTimeline const> kept_;
+    Last<Exploration> last_other_;
+    Last<RunStatistics const> last_run_;
+    Last<TimelineOf const> last_timeline_;
 };
 
 }  // namespace dataflow::explore

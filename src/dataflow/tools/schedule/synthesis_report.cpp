@@ -9,6 +9,7 @@
 
 #include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/text_lines.hpp"
 
 namespace dataflow::schedule {
 
@@ -60,12 +61,6 @@ class ReportReader {
             fail(line_of(at.offset_debug()), what + " = " + std::string(digits), "a whole number of at most 10^12");
         return value;
     }
-    static std::string trimmed(std::string_view text) {
-        std::size_t const first = text.find_first_not_of(" \t\r\n");
-        if (first == std::string_view::npos)
-            return {};
-        return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
-    }
 
     /// A number, the end of a range, or what a tool writes where it does not know.
     std::optional<std::uint64_t> number(pugi::xml_node const& loop, char const* element) const {
@@ -73,7 +68,7 @@ class ReportReader {
         for (char const* const inner : {"range", "max"})
             if (at.child(inner))
                 at = at.child(inner);
-        std::string const text = trimmed(at.child_value());
+        std::string const text(trimmed(at.child_value()));
         if (text.empty() || text == "undef" || text == "-" || text == "?")
             return std::nullopt;
         return whole_number(at, std::string(element) + " of " + loop.name(), text);
@@ -112,7 +107,7 @@ class ReportReader {
     void read_fifos(pugi::xml_node const& profile) {
         for (pugi::xpath_node const& found : profile.select_nodes(".//BindNode[@OPTYPE='fifo'][@DEPTH]")) {
             pugi::xml_node const node = found.node();
-            std::string const depth = trimmed(node.attribute("DEPTH").value());
+            std::string const depth(trimmed(node.attribute("DEPTH").value()));
             if (!depth.empty())
                 report_.fifos.push_back({node.attribute("VARIABLE").value(),
                                          whole_number(node, "DEPTH of a BindNode", depth), place_of(node)});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/command.hpp"
+#include "support/explore_questions.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
 
@@ -111,6 +112,9 @@ TEST_CASE("What-if answers what a run of a published design would", "[examples]"
         CommandResult const unsized = call({"size-fifos", "events", "--within", "5"});
         CHECK(unsized.exit_code == 2);
         CHECK_THAT(unsized.err, Catch::Matchers::Contains("hands over calls, which are not sized"));
+        ExploreProcess const page(binaries.at(program), {"events"}, folder.path());
+        auto const answer = ask(page, "start", {{"job", "sizing"}, {"within", 5}, {"set", Words()}}, 400);
+        CHECK(program + ": " + answer["error"].get<std::string>() + "\n" == unsized.err);
         CHECK_THAT(refused.err, Catch::Matchers::Contains("decides which operations there are"));
     }
 }

@@ -78,15 +78,6 @@ void write_files(SizeFifosRequest const& request, sizing::Sizing const& sizing, 
     folder.commit();
 }
 
-/// More room than calls hand over would be another design.
-void require_no_hand_over(Machine const& machine) {
-    for (MachineFifo const& fifo : machine.fifos)
-        if (fifo.hands_over > 0)
-            throw InputError("size-fifos: " + fifo.name +
-                             " hands over calls, which are not sized, expected a design without ping-pong buffers and "
-                             "with accelerator.calls overlapped");
-}
-
 /// Returns the exit code; throws InputError on bad input.
 int print_fifo_sizes(SizeFifosRequest const& request) {
     CommandPaths paths;
@@ -96,7 +87,7 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
     LoadedConfig const changed = events::retimed_config(recorded.loaded, request.overrides);
     auto const folder = request.out.empty() ? nullptr : std::make_unique<io::AtomicFolder>(request.out, sizing_folder);
     Machine const machine = machine_of(changed.config);
-    require_no_hand_over(machine);
+    sizing::require_sizable(machine);
     announce_retimings("size-fifos", recorded.run, machine, retimings_of(request, machine), request.force);
     auto const start = HostClock::now();
     sizing::Sizing const sizing = worked_out(request, recorded, changed.config);

@@ -320,6 +320,7 @@ Job::Work Exploration::sizing(Overrides const& overrides, double within_percent)
         return
             [other, work = other->sizing({}, within_percent)](Job::Progress const& progress) { return work(progress); };
     RunConfig const config = changed(overrides);
+    sizing::require_sizable(machine_of(config));
     return [this, config, within_percent](Job::Progress const& progress) {
         sizing::SizingOptions options;
         options.within_percent = within_percent;

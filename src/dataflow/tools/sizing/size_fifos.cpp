@@ -96,6 +96,14 @@ void require_sense(SizingOptions const& options) {
     require("front_points", options.front_points, 0, most_front_points);
 }
 
+void require_sizable(Machine const& machine) {
+    for (MachineFifo const& fifo : machine.fifos)
+        if (fifo.hands_over > 0)
+            throw InputError("size-fifos: " + fifo.name +
+                             " hands over calls, which are not sized, expected a design without ping-pong buffers and "
+                             "with accelerator.calls overlapped");
+}
+
 Cycles bound_within(double percent, Cycles unbounded_cycles) {
     constexpr double rounding = 1e-6;  // a whole number of cycles is one, however the percentage is rounded
     return unbounded_cycles +
@@ -106,6 +114,7 @@ Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, Sizin
                   std::function<void(std::size_t, std::size_t)> const& progress) {
     require_sense(options);
     Machine const machine = machine_of(config);
+    require_sizable(machine);
     FifoFrame const frame(machine, options.weights);
     CoreTimes times(run, machine, options.before_retiming);
     Steps steps(progress, steps_to_the_answer + (options.front_points > 0 ? options.front_points + 1 : 0));

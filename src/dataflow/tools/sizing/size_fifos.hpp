@@ -52,10 +52,13 @@ struct Sizing {
 /// Throws InputError for bounds and weights with which a search would never end, or prove nonsense: whoever asks.
 void require_sense(SizingOptions const& options);
 
+/// Throws InputError for a machine whose FIFOs hand over calls: more room than those have would be another design.
+void require_sizable(Machine const& machine);
+
 /// How much `bound` is: percent of the cycles of unbounded FIFOs, more than those.
 Cycles bound_within(double percent, Cycles unbounded_cycles);
 
-/// `config`: of the recorded run, or with other retiming_keys(). Throws as require_sense(). `progress` is told how many
+/// `config`: of the recorded run, or with other retiming_keys(). Throws as the two above. `progress` is told how many
 /// of how many steps are done.
 Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
                   std::function<void(std::size_t done, std::size_t steps)> const& progress = {});

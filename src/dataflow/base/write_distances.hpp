@@ -13,7 +13,7 @@ namespace dataflow {
 class WriteDistances {
   public:
     /// `counted`: distances below this are counted one by one.
-    WriteDistances(std::uint64_t words, std::uint64_t counted) : written_(words), counts_(counted) {}
+    WriteDistances(std::uint64_t words, std::uint64_t counted) : written_(words), met_(words), counts_(counted) {}
 
     /// The loop is entered: nothing has been written.
     void enter() {
@@ -25,13 +25,14 @@ class WriteDistances {
         ++now_;
         nearest_before_ = std::exchange(nearest_, 0);
     }
-    void read(std::size_t word) { meet(written_[word]); }
+    void read(std::size_t word) {
+        if (std::exchange(met_[word], now_) != now_)
+            meet(written_[word]);
+    }
     void write(std::size_t word) {
-        meet(written_[word]);
+        read(word);
         written_[word] = now_;
     }
-    /// A word that the iteration has read.
-    void overwrite(std::size_t word) { written_[word] = now_; }
 
     /// Of the iteration at hand, or the one before it: the smallest of its distances; 0: it met nothing.
     std::uint64_t nearest() const { return nearest_; }
@@ -47,7 +48,7 @@ class WriteDistances {
     static constexpr Iteration most_iterations = Iteration{1} << 31;
 
     void meet(Iteration written) {
-        if (written <= entry_ || written == now_)
+        if (written <= entry_)
             return;
         std::uint64_t const distance = now_ - written;
         if (nearest_ == 0 || distance < nearest_)
@@ -59,10 +60,12 @@ class WriteDistances {
     }
     void forget() {
         std::fill(written_.begin(), written_.end(), Iteration{0});
+        std::fill(met_.begin(), met_.end(), Iteration{0});
         now_ = 0;
     }
 
     std::vector<Iteration> written_;  ///< by word: the last iteration that did
+    std::vector<Iteration> met_;      ///< by word: the last iteration that read or wrote it
     std::vector<std::uint64_t> counts_;
     Iteration now_ = 0;  ///< over all entries
     Iteration entry_ = 0;
@@ -76,7 +79,7 @@ struct NoWriteDistances {
     void enter() {}
     void next_iteration() {}
     void read(std::size_t /*word*/) {}
-    void overwrite(std::size_t /*word*/) {}
+    void write(std::size_t /*word*/) {}
 };
 
 }  // namespace dataflow

@@ -28,7 +28,7 @@ struct FragmentDrawing {
         bool const is_drawn = unit.draw(depth, words[word]);
         watcher.read(word);
         if (is_drawn)
-            watcher.overwrite(word);
+            watcher.write(word);
         return is_drawn;
     }
     /// Pixels of a row, one by one. Returns how many were drawn.

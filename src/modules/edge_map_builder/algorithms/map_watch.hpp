@@ -30,11 +30,6 @@ struct MapWatch {
         if (edge_map != nullptr)
             edge_map->write(word);
     }
-    /// A word that the iteration has read.
-    void overwrites_edge(std::size_t word) const {
-        if (edge_map != nullptr)
-            edge_map->overwrite(word);
-    }
     void reads_object(std::size_t word) const {
         if (object_map != nullptr)
             object_map->read(word);
@@ -50,7 +45,6 @@ struct NoMapWatch {
     void next_iteration() const {}
     void reads_edge(std::size_t /*word*/) const {}
     void writes_edge(std::size_t /*word*/) const {}
-    void overwrites_edge(std::size_t /*word*/) const {}
     void reads_object(std::size_t /*word*/) const {}
     void writes_object(std::size_t /*word*/) const {}
 };

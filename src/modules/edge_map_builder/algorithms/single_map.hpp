@@ -49,7 +49,6 @@ template <class Design> class SingleMap : public EdgeMapPolicy {
     static constexpr std::uint8_t is_edge = 1;
     static constexpr std::uint8_t no_edge = 2;
 
-    /// Writes a word that the iteration has not read.
     template <class Watch> void write(int row, int col, std::uint8_t state, Watch const& watch) {
         state_[index(row, col)] = state;
         watch.writes_edge(index(row, col));
@@ -59,16 +58,11 @@ template <class Design> class SingleMap : public EdgeMapPolicy {
         watch.reads_edge(index(row, col));
         return state_[index(row, col)];
     }
-    /// Writes a word that it has.
-    template <class Watch> void overwrite(int row, int col, std::uint8_t state, Watch const& watch) {
-        state_[index(row, col)] = state;
-        watch.overwrites_edge(index(row, col));
-    }
 
     /// An edge, unless the object is known to be there.
     template <class Watch> void make_edge(int row, int col, Watch const& watch) {
         if (read(row, col, watch) != no_edge)
-            overwrite(row, col, is_edge, watch);
+            write(row, col, is_edge, watch);
     }
 
   private:

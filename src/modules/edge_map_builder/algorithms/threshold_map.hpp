@@ -11,7 +11,7 @@ class ThresholdMap final : public SingleMap<ThresholdMap> {
 
     template <class Watch> void take_one(EdgeToken const& token, Watch const& watch) {
         std::uint8_t const seen = read(token.row, token.col, watch);
-        overwrite(token.row, token.col, seen == unknown ? is_edge : no_edge, watch);
+        write(token.row, token.col, seen == unknown ? is_edge : no_edge, watch);
     }
 };
 

@@ -134,9 +134,9 @@ void CycleSorter::add_loop_costs(timing::ProcessTiming const& process, ProcessSt
 /// In which the process does nothing but prepare what its next loop works on.
 Cycles CycleSorter::cycles_of_setups(timing::ProcessTiming const& process) const {
     MachineProcess const& described = machine_.processes[process.index()];
-    if (!described.setup_counter)
-        return process.awaited_setup_cycles();
-    return core_.fifos()[*described.setup_counter].writes() * described.setup_cycles;
+    Cycles const counted =
+        described.setup_counter ? core_.fifos()[*described.setup_counter].writes() * described.setup_cycles : 0;
+    return counted + process.awaited_setup_cycles();
 }
 
 /// Takes the last `beyond` cycles of a process away, which are not part of the run: of the drain of its last loop, and

@@ -141,8 +141,11 @@ CriticalPath critical_path_of(std::vector<timing::CoreTiming const*> const& core
     if (!end)
         return path;
     auto const last = static_cast<unsigned>(end->process);
-    timing::PathSums sums = timing::critical_path(core, last, end->cycle);
-    ++sums.of(last, timing::Region(), timing::PathSums::Share::own);  // the last cycle itself
+    // A run that is over with an access ends in the middle of what its process does: the cycle of the access is its
+    // own.
+    Cycles const of_access = machine.is_over_with_last_sample ? 1 : 0;
+    timing::PathSums sums = timing::critical_path(core, last, end->cycle + 1 - of_access);
+    sums.of(last, timing::Region(), timing::PathSums::Share::own) += of_access;
     for (unsigned process = 0; process < core.processes().size(); ++process)
         ProcessRows(machine, core, process, sums, path.rows).add();
     std::stable_sort(path.rows.begin(), path.rows.end(),

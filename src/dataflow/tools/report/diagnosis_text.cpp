@@ -56,6 +56,9 @@ std::string sentence_of(Cause const& cause, Diagnosis const& diagnosis, RunStati
         case Cause::Kind::memory_stall:
             return fmt::format("{} {} waits for memory.", share(cause.cycles, diagnosis), module);
         case Cause::Kind::setup:
+            if (process.setup_activity.empty())
+                return fmt::format("{} {} waits for the cycle in which it may start.", share(cause.cycles, diagnosis),
+                                   module);
             return fmt::format("{} is {} {}, {} cycles each.", share(cause.cycles, diagnosis), module,
                                process.setup_activity, process.setup_cycles);
         case Cause::Kind::fill_drain:

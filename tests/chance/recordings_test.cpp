@@ -287,4 +287,17 @@ TEST_CASE("An iteration that waits in its first step for ever has not begun") {
     CHECK_THAT(shown({writer, reader}, 1, {0, 2}), Contains(" answer 0\n") && Contains("reader.state 0:1\n"));
 }
 
+TEST_CASE("Spans of the same cycles have an order, whoever is recorded first, and a loop is before its stalls") {
+    using Kind = TimelineSpan::Kind;
+    std::vector<TimelineSpan> spans{{1, Kind::empty_stall, 0, 63, 82},
+                                    {1, Kind::loop, 2, 63, 82},
+                                    {0, Kind::loop, 1, 63, 82},
+                                    {1, Kind::loop, 2, 63, 90}};
+    std::stable_sort(spans.begin(), spans.end(), recording::outermost_first);
+    std::string order;
+    for (TimelineSpan const& span : spans)
+        order += std::to_string(span.module) + (span.kind == Kind::loop ? "l " : "s ");
+    CHECK(order == "1l 0l 1l 1s ");
+}
+
 }  // namespace recordings_test

@@ -1,4 +1,5 @@
 #pragma once
+#include <tuple>
 #include <vector>
 
 #include "dataflow/run/figures/sample_timeline.hpp"
@@ -27,9 +28,9 @@ struct TimelineGrain {
     Cycles occupancy_bucket = 64;  ///< an occupancy is the largest in so many cycles
 };
 
-/// The order of spans: by begin; what encloses others first.
+/// The order of spans: by begin; what encloses others first, as a loop does its stalls. The same from both engines.
 inline bool outermost_first(TimelineSpan const& a, TimelineSpan const& b) {
-    return a.begin != b.begin ? a.begin < b.begin : a.end > b.end;
+    return std::tie(a.begin, b.end, a.module, a.kind, a.item) < std::tie(b.begin, a.end, b.module, b.kind, b.item);
 }
 
 /// Spans are cut off at the window's borders.

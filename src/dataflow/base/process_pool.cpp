@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -197,9 +198,22 @@ std::vector<bool> wait_for_news(Children const& children, SignalWatch const& wat
     return news;
 }
 
+/// Throws Interrupted if a child ended because somebody wants all of the program to end, as Ctrl-C does: this process
+/// gets the signal too, maybe a moment later.
+void look_for_stop(Outcome const& outcome, SignalWatch const& watch) {
+    constexpr int longest_moment_ms = 500;
+    bool const stops = outcome.signal == SIGINT || outcome.signal == SIGTERM || outcome.signal == SIGHUP;
+    if (outcome.kind != Outcome::Kind::crashed || !stops)
+        return;
+    pollfd polled{watch.descriptor(), POLLIN, 0};
+    poll(&polled, 1, longest_moment_ms);  // the signal ends it, too
+    if (poll(&polled, 1, 0) > 0)
+        throw Interrupted();
+}
+
 using Ended = std::function<void(std::size_t, Outcome)>;
 
-void collect(Children& children, std::vector<bool> const& news, Ended const& ended) {
+void collect(Children& children, std::vector<bool> const& news, SignalWatch const& watch, Ended const& ended) {
     std::vector<std::pair<std::size_t, Outcome>> outcomes;
     for (std::size_t i = 0; i < children.size(); ++i) {
         Child& child = *children[i];
@@ -214,8 +228,10 @@ void collect(Children& children, std::vector<bool> const& news, Ended const& end
         children[i].reset();
     }
     children.erase(std::remove(children.begin(), children.end(), nullptr), children.end());
-    for (auto& [number, outcome] : outcomes)
+    for (auto& [number, outcome] : outcomes) {
+        look_for_stop(outcome, watch);
         ended(number, std::move(outcome));
+    }
 }
 
 }  // namespace
@@ -232,7 +248,7 @@ void run_stream(TaskStream const& stream, std::size_t jobs, SignalWatch const& w
         }
         if (children.empty())
             return;
-        collect(children, wait_for_news(children, watch, stream.meanwhile ? 0.2 : 3600), stream.ended);
+        collect(children, wait_for_news(children, watch, stream.meanwhile ? 0.2 : 3600), watch, stream.ended);
         if (stream.meanwhile)
             stream.meanwhile();
     }

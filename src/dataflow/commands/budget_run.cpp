@@ -94,11 +94,10 @@ double time_limit_of(budgets::Budget const& budget, CheckRequest const& request)
     return request.time_limit_s > 0 ? request.time_limit_s : budget.time_limit_s;
 }
 
-std::string why_no_result(processes::Outcome const& outcome, double time_limit_s) {
+std::string why_no_result(processes::Outcome const& outcome, double time_limit_s, std::string_view limit) {
     using End = processes::Outcome::Kind;
     if (outcome.kind == End::timed_out)
-        return fmt::format("no result after {:g} s, the simulation was ended (time_limit_s, --time-limit)",
-                           time_limit_s);
+        return fmt::format("no result after {:g} s, the simulation was ended ({})", time_limit_s, limit);
     if (outcome.kind == End::crashed)
         return fmt::format("the simulation was ended by signal {} ({})", outcome.signal, strsignal(outcome.signal));
     return fmt::format("the simulation ended with exit code {} and no result", outcome.exit_code);

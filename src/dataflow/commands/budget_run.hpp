@@ -22,8 +22,9 @@ std::vector<processes::Outcome> run_budgets(std::vector<budgets::Budget> const& 
 /// In seconds: the request's, else the budget's.
 double time_limit_of(budgets::Budget const& budget, CheckRequest const& request);
 
-/// One sentence on a process that ended without a result.
-std::string why_no_result(processes::Outcome const& outcome, double time_limit_s);
+/// One sentence on a process that ended without a result. `limit`: what sets its time limit.
+std::string why_no_result(processes::Outcome const& outcome, double time_limit_s,
+                          std::string_view limit = "time_limit_s, --time-limit");
 
 /// YYYY-MM-DD, UTC.
 std::string today();

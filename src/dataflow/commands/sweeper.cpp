@@ -239,7 +239,7 @@ SweepReply Sweeper::reply_of(sweeps::Assignment const& assignment, processes::Ou
     SweepReply reply;
     if (assignment.points.size() == 1)
         reply.results.emplace_back(assignment.points.front(),
-                                   sweeps::failed(why_no_result(outcome, request_.time_limit_s)));
+                                   sweeps::failed(why_no_result(outcome, request_.time_limit_s, "--time-limit")));
     using End = processes::Outcome::Kind;
     reply.was_killed = outcome.kind == End::failed || (outcome.kind == End::crashed && outcome.signal == SIGKILL);
     return reply;

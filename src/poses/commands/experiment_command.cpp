@@ -48,6 +48,7 @@ struct ExperimentRequest {
     bool force = false;        ///< however long it takes
     std::size_t failures = 8;  ///< pictures of a setting
 };
+constexpr std::size_t most_failures = 10000;
 
 namespace fs = std::filesystem;
 
@@ -326,7 +327,8 @@ Subcommand experiment_command() {
                 command
                     .add_option("--failures", request->failures,
                                 "Pictures of the worst estimates of a setting, a sheet for each (8)")
-                    ->type_name("N");
+                    ->type_name("N")
+                    ->check(number_in(0, most_failures));
                 add_jobs(command, request->jobs, "Processes at once");
                 add_force(command, request->force);
                 return [request] { return experiment(*request); };

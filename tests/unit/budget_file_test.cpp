@@ -118,6 +118,7 @@ TEST_CASE("A malformed budget is refused with file and line") {
         {with_limits(""), "b.yaml:4: limits = nothing, expected a map"},
         {head + "limits:\n  total_cycles: {max: 5}\n", "b.yaml:1: baseline: missing, expected one"},
         {head + baseline, "b.yaml:1: limits: missing"},
+        {head + "limit: {total_cycles: {max: 5}}\n" + baseline, "limit: unknown key"},
         {head + "limits:\n  total_cycle: {max: 5}\n", "b.yaml:5: limits.total_cycle: unknown figure"},
         {"format: faster-trace\n" + with_limits("  total_cycles: {max: 5}\n").substr(22),
          "b.yaml:1: format = faster-trace"},

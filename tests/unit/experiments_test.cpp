@@ -60,6 +60,7 @@ constexpr char const* file_text =
 std::string complaint_about(TempFolder const& folder, std::string const& from, std::string const& to) {
     std::string text = file_text;
     text.replace(text.find(from), from.size(), to);
+    std::filesystem::create_directories(folder / "frames");
     folder.write("experiment.yaml", text);
     return input_error_text([&] { read_experiment_file(folder / "experiment.yaml"); });
 }
@@ -301,6 +302,7 @@ TEST_CASE("A journal of estimates gives back what it was given, but for damaged 
 TEST_CASE("An experiment file is read as it is meant", "[experiments]") {
     TempFolder const folder;
     folder.write("experiment.yaml", file_text);
+    std::filesystem::create_directories(folder / "frames");
     Experiment const read = read_experiment_file(folder / "experiment.yaml");
     CHECK(read.seed == 6);
     REQUIRE(read.scenes.size() == 2);
@@ -324,6 +326,8 @@ TEST_CASE("What is wrong with an experiment file is said with its line", "[exper
     };
     says("version: 1", "version: 2", {":2: version = 2", "expected 1"});
     says("mug]", "mugg]", {":6: ", "mug"});
+    says("dataset: frames", "dataset: frame", {":7: dataset = frame", "a folder that is there"});
+    says("images: 2,", "images: 2, models: scans,", {":6: models = scans", "a folder that is there"});
     says("mug]", "banana]", {":6: ", "at most once"});
     CHECK_THAT(complaint_about(folder, "mug]", "banana]"), !Catch::Matchers::Contains("did you mean"));
     says("[banana, mug]", "banana", {":6: objects = banana", "a list of classes"});

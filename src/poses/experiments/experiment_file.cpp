@@ -32,7 +32,6 @@ class ExperimentReader {
                                          shown(root), fmt::join(top_names(), ", ")));
         for (MapEntry const& entry : read_entries(root, "", faults_))
             read_entry(entry);
-        throw_first_of(faults_, experiment_.file);
         require_given(faults_, given_, {"format", "version", "scenes", "methods"});
         throw_first_of(faults_, experiment_.file);
         return experiment_;
@@ -67,6 +66,13 @@ class ExperimentReader {
     void read_path(MapEntry const& entry, std::filesystem::path& path) {
         if (auto const read = cells_.path(entry.name, entry.value, entry.line))
             path = *read;
+    }
+
+    /// Here, as scenes are made for minutes before it is looked into.
+    void read_folder(MapEntry const& entry, std::filesystem::path& folder) {
+        read_path(entry, folder);
+        if (!folder.empty() && !std::filesystem::is_directory(folder))
+            reject(faults_, entry, "a folder that is there");
     }
 
     std::int64_t integer(MapEntry const& entry, std::int64_t least, std::int64_t most) {
@@ -139,9 +145,9 @@ class ExperimentReader {
             if (entry.name != "dataset" && entry.name != "boxes" && of_made_scenes.empty())
                 of_made_scenes = entry.name;
             if (entry.name == "dataset")
-                read_path(entry, setting.dataset);
+                read_folder(entry, setting.dataset);
             else if (entry.name == "models")
-                read_path(entry, setting.models);
+                read_folder(entry, setting.models);
             else if (entry.name == "objects")
                 setting.objects = objects(entry);
             else if (entry.name == "images")

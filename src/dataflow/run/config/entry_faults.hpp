@@ -14,7 +14,8 @@ void reject(KeyFaults& faults, MapEntry const& entry, std::string const& expecte
 /// Nothing is called so; `names` are what there is.
 void reject_name(KeyFaults& faults, MapEntry const& entry, std::vector<std::string> const& names);
 void require_word(KeyFaults& faults, MapEntry const& entry, std::string const& word);
-/// What stands at the top of a file must have the names that are `needed`.
+/// What stands at the top of a file must have the names that are `needed`. Not looked for behind other faults: what is
+/// missing may be what is misspelt.
 void require_given(KeyFaults& faults, std::vector<std::string> const& given, std::vector<std::string> const& needed);
 
 /// "FILE:LINE: KEY = VALUE, expected ...", of each.

@@ -55,12 +55,12 @@ cmake --build --preset "$preset"
 # browsers, servers and the disk.
 check_beside() {
     if [[ "${CI:-}" == true ]]; then
-        bash scripts/check-package.sh "$preset" || return 1
-        bash scripts/count-instructions.sh "$preset" || return 1
+        nice -n 19 bash scripts/check-package.sh "$preset" || return 1
+        nice -n 19 bash scripts/count-instructions.sh "$preset" || return 1
     fi
     if [[ "$tidy" == true ]]; then
         # What decides cycles; all of src and tests takes a quarter of an hour on 2 cores: scripts/check-tidy.sh, by hand.
-        bash scripts/check-tidy.sh 'src/\(channels\|modules\|dataflow/core\)/'
+        nice -n 19 bash scripts/check-tidy.sh 'src/\(channels\|modules\|dataflow/core\)/'
     fi
 }
 if [[ "$tidy" == true ]] && ! command -v clang-tidy >/dev/null; then
@@ -68,7 +68,7 @@ if [[ "$tidy" == true ]] && ! command -v clang-tidy >/dev/null; then
     exit 1
 fi
 beside_log="build/$preset/beside.log"
-(renice -n 19 "$BASHPID" && check_beside) >"$beside_log" 2>&1 &
+check_beside >"$beside_log" 2>&1 &
 beside=$!
 trap 'wait "$beside" 2>/dev/null || true' EXIT
 

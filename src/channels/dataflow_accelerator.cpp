@@ -68,8 +68,7 @@ void DataflowAccelerator::wake(timing::MemorySystem::Target const& target) {
 void DataflowAccelerator::let_cores_share_answers() {
     std::shared_ptr<timing::Answers> const answers = timing::make_answers();
     for (std::unique_ptr<DataflowCore> const& core : cores_)
-        if (!machine_->lead.followers.empty())
-            core->timing().let_follow(machine_->lead, answers);
+        core->timing().let_follow(machine_->lead, answers);
 }
 
 void DataflowAccelerator::let_cores_take_turns() {

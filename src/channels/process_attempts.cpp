@@ -66,6 +66,8 @@ void ProcessClock::tell_ports() {
     say([this](OperationLog& log) { log.add_ports(told_.number()); });
 }
 
+// How far it is within an iteration is told to the log that gets cycles alone: no recording needs it.
+
 /// Behind all accesses of a step in the window at hand.
 void ProcessClock::reach_step(std::uint64_t step) {
     tell_ports();
@@ -157,7 +159,7 @@ void ProcessClock::attempt_later(FifoChannel const& fifo, timing::Ports port,
 }
 
 /// Of an iteration whose step lies in the window at hand.
-bool ProcessClock::attempts_in(FifoChannel const& /*fifo*/, timing::Ports port, std::uint64_t step) {
+bool ProcessClock::attempts_in(timing::Ports port, std::uint64_t step) {
     reach_step(step);
     return decide(port, false, step_of(port.first()) / timing_.loops()[pipelined_].interval.achieved);
 }

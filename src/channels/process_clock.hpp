@@ -276,7 +276,7 @@ class ProcessClock {
 
     template <class Fifo, class Use> void try_read_later(Fifo& fifo, Use use) {
         attempt_later(fifo, read_port_of(fifo), [this, &fifo, use = std::move(use)](std::uint64_t step) mutable {
-            if (!attempts_in(fifo, read_port_of(fifo), step)) {
+            if (!attempts_in(read_port_of(fifo), step)) {
                 use(nullptr);
                 return;
             }
@@ -287,7 +287,7 @@ class ProcessClock {
     template <class Fifo, class Token, class Use> void try_write_later(Fifo& fifo, Token token, Use use) {
         attempt_later(fifo, write_port_of(fifo),
                       [this, &fifo, token = std::move(token), use = std::move(use)](std::uint64_t step) mutable {
-                          bool const is_written = attempts_in(fifo, write_port_of(fifo), step);
+                          bool const is_written = attempts_in(write_port_of(fifo), step);
                           if (is_written)
                               fifo.put(token);
                           use(is_written);
@@ -450,7 +450,7 @@ class ProcessClock {
     void end_iteration(std::uint64_t step);
     void drain();
     bool attempts(FifoChannel const& fifo, timing::Ports port, bool only_asks);
-    bool attempts_in(FifoChannel const& fifo, timing::Ports port, std::uint64_t step);
+    bool attempts_in(timing::Ports port, std::uint64_t step);
     bool decide(timing::Ports port, bool only_asks, std::uint64_t iterations_behind);
     void attempt_later(FifoChannel const& fifo, timing::Ports port, std::function<void(std::uint64_t step)> attempt);
     std::uint64_t step_of(unsigned port) const;

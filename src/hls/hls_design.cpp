@@ -71,7 +71,7 @@ class LiveModule : public SimpleModule {
             clock_.set_up();
         core_.live_design().set_call(sample);
         function_.run();
-        if (number_ + 1 == core_.design().processes().size())
+        if (core_.is_over_with(sample))
             add_result(core_.design().results());
     }
 
@@ -229,6 +229,8 @@ HlsScript HlsCore::next_script(std::size_t process) {
     scripts_[process].pop_front();
     return script;
 }
+
+bool HlsCore::is_over_with(std::size_t call) { return ++functions_over_[call] == scripts_.size(); }
 
 Counters HlsCore::next_results() {
     Counters results = std::move(results_.front());

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <hls_stream.h>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -103,6 +104,9 @@ class HlsCore : public SimpleCore {
     HlsScript next_script(std::size_t process);
     /// The results of the calls, in their order.
     Counters next_results();
+    /// One more function that runs beside its clock has returned from the call. Whether all have: the last of the design
+    /// may return long before others do.
+    bool is_over_with(std::size_t call);
 
   private:
     void run_call();
@@ -114,6 +118,7 @@ class HlsCore : public SimpleCore {
     std::vector<std::unique_ptr<ClockedFifo<std::int64_t>>> fifos_;  // by stream
     std::vector<std::deque<HlsScript>> scripts_;                     // by process
     std::deque<Counters> results_;
+    std::map<std::size_t, std::size_t> functions_over_;  // by call
     std::uint64_t next_call_ = 0;
 };
 

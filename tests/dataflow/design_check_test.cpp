@@ -166,6 +166,15 @@ TEST_CASE("a design with a port to the external memory has the keys of the memor
         "each other");
 }
 
+TEST_CASE("the default of a number of a design is one that its key could say", "[machine]") {
+    auto const complaint = [](std::uint64_t otherwise) {
+        return input_error_text([=] { Storing({}, {{"workload.rows", otherwise, "Rows.", {1, 100}}}).keys(); });
+    };
+    CHECK(complaint(0) == "number workload.rows: its default is 0, expected one of its range, 1..100");
+    CHECK(complaint(101) == "number workload.rows: its default is 101, expected one of its range, 1..100");
+    CHECK(complaint(100) == "(no error)");
+}
+
 /// A module whose parts depend on a number.
 class Growing : public SimpleDesign {
   public:

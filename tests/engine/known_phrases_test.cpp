@@ -25,8 +25,10 @@ LeadCore pair(bool prepares) {
     core.process(1).add_reads(observed);
     core.add_process("reader").add_writes(observed);
     timing::LoopShape shape;
-    if (prepares)
+    if (prepares) {
         shape.reads = {{0}};
+        shape.writes = {{0}};
+    }
     core.process(0).add_loop(shape);
     core.process(1).add_loop({});
     return {core, timing::Lead{0, {{1, 0}}}};

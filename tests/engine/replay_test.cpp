@@ -82,7 +82,8 @@ Asked replay_all(replay::ScriptSource const& source, replay::ScriptedRun const& 
         return reader.read(sample);
     };
     replay::Replay replay(source, plain, {0, samples}, *core, machine.lead);
-    replay.go_on_to(samples);
+    while (replay.go_on())
+        core->let_walk();
     core->resolve();
     asked.is_stuck = !core->waits().empty();
     for (timing::ProcessTiming const& process : core->processes())

@@ -153,6 +153,24 @@ TEST_CASE("A loop may only ask, and tokens may be left where the design says so"
     }
 }
 
+TEST_CASE("Results are those of all functions, whoever returns first", "[examples]") {
+    TempFolder const folder;
+    std::ofstream(folder / "empty.yaml") << "{}\n";
+    for (std::string const engine : {"decoupled", "lockstep"})
+        for (std::string const calls : {"overlapped", "in_turn"}) {
+            std::string const samples = calls == "in_turn" ? "3" : "1";
+            require_done(run_command(HLS_LATE_BINARY,
+                                     {"run", "empty.yaml", "--out", "out", "--set", "simulation.engine=" + engine,
+                                      "--set", "accelerator.calls=" + calls, "--set", "workload.samples=" + samples},
+                                     folder.path()));
+            std::string const table = content_of(folder / "out/samples.csv");
+            CHECK(std::count(table.begin(), table.end(), '\n') == (calls == "in_turn" ? 4 : 2));
+            for (std::size_t row = table.find('\n'); row + 1 < table.size(); row = table.find('\n', row + 1))
+                CHECK(table.substr(table.find('\n', row + 1) - 3, 3) == ",45");
+            fs::remove_all(folder / "out");
+        }
+}
+
 TEST_CASE("What-if, sizes and waveforms know a design of functions", "[examples]") {
     TempFolder const folder;
     fs::path const configuration = examples / "hls_pipeline" / "hls_pipeline.yaml";

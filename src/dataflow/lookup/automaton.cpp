@@ -80,7 +80,7 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
     return usable_ && in_steps == in_steps_;
 }
 
-/// Whether is_worthwhile() would say no, seen at a glance where a follower is ahead; else begin() has to tell.
+/// A cheap look before begin(): whether some follower is so far ahead of the driver that is_worthwhile() will say no.
 bool Automaton::is_far_apart(Group const& group) const {
     Cycles const end = group.driver().local_time() + longest_reach;
     auto const is_ahead = [end](Group::Member const& member) {
@@ -89,13 +89,13 @@ bool Automaton::is_far_apart(Group const& group) const {
     return driver_is_regular_ && std::any_of(group.members().begin() + 1, group.members().end(), is_ahead);
 }
 
-/// With something outside the group.
+/// Whether its next access is outside the group.
 bool Automaton::goes_on_elsewhere(Group::Member const& member) {
     Phrase::Next const next = Phrase::next_of(member, 0);
     return next.known && next.ports == 0;
 }
 
-/// A bit each.
+/// The members whose next access is outside the group, a bit each.
 std::uint32_t Automaton::going_on_elsewhere(Group const& group) {
     std::uint32_t members = 0;
     for (unsigned m = 1; m < group.members().size(); ++m)

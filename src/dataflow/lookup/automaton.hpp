@@ -23,7 +23,7 @@ class CoreTiming;
 
 /// Remembers how a group of processes answers to what its driver does. The relative state of the group decides, with
 /// the next phrase of operations, how long that takes, what it costs whom, and the state after it; each such transition
-/// is worked out once, operation by operation on a core of its own, and looked up from then on. Exact: equal states
+/// is worked out once, operation by operation on a bench of its own, and looked up from then on. Exact: equal states
 /// have equal futures. May be shared by cores of the same shape.
 class Automaton : public Answers, public Passages {
   public:

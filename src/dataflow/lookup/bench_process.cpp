@@ -33,15 +33,6 @@ void BenchProcess::save(StatePage& page) {
     save_process<Rules>(*this, flags, true, page);
 }
 
-std::size_t BenchProcess::most_words() const {
-    std::uint64_t longest_lag = 0;
-    for (LoopPlan const& plan : shape_->plans)
-        longest_lag = std::max(longest_lag, plan.longest_lag);
-    return 1 + ProcessFlags::words + longest_lag + (sets_up_ahead() ? words_of_setups(state_) : 0) +
-           (has_interlocks() ? words_of_bubbles(state_) : 0) + (flushes() ? words_of(state_.flushing) : 0) +
-           words_of_operation * log_.pending();
-}
-
 void BenchProcess::count_end() {
     LoopFigures const& figures = figures_[state_.loop];
     counted_ |= 1U << state_.loop;

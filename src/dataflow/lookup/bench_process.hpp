@@ -53,7 +53,7 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
     /// Puts down its words.
     void save(StatePage& page);
     /// That it puts down.
-    std::size_t most_words() const;
+    std::size_t most_words() const { return most_words_of<Rules>(*this, *shape_); }
 
     void append(Operation const& operation) { log_.append(operation); }
     /// Takes steps as long as it can. The FIFOs that it accessed, a bit each.

@@ -1,7 +1,6 @@
 #include "dataflow/lookup/relative_state.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "dataflow/base/each_bit.hpp"
 
@@ -63,9 +62,7 @@ bool RelativeState::save(StatePage& page, std::uint32_t with_logs) const {
     for (Group::Inner const& inner : group_->fifos()) {
         auto const reads_from = static_cast<std::int64_t>(process(inner.reader).not_before());
         auto const writes_from = static_cast<std::int64_t>(process(inner.writer).not_before());
-        // Where a frozen writer finds room is told elsewhere.
-        save_fifo(FifoTiming::View(*inner.fifo).rules(), reads_from,
-                  outlooks_[inner.writer].frozen ? std::numeric_limits<std::int64_t>::max() : writes_from, page);
+        save_fifo(FifoTiming::View(*inner.fifo).rules(), reads_from, writes_from, outlooks_[inner.writer].frozen, page);
     }
     return page.reach() <= furthest_apart;
 }
@@ -81,17 +78,8 @@ bool RelativeState::driver_leaves_group() const {
 
 std::size_t RelativeState::most_words() const {
     std::size_t words = 0;
-    for (Group::Member const& member : group_->members()) {
-        words += 1 + ProcessFlags::words + words_of_operation * member.process->log().pending();
-        if (member.process->flushes())
-            words += words_of(ProcessTiming::View(*member.process).state().flushing);
-        if (member.process->shape()->sets_up_ahead)
-            words += words_of_setups(ProcessTiming::View(*member.process).state());
-        if (member.process->shape()->has_interlocks)
-            words += words_of_bubbles(ProcessTiming::View(*member.process).state());
-        for (LoopPlan const& plan : member.process->shape()->plans)
-            words += plan.longest_lag;
-    }
+    for (Group::Member const& member : group_->members())
+        words += most_words_of(ProcessTiming::View(*member.process).rules(), *member.process->shape());
     for (Group::Inner const& inner : group_->fifos())
         words += FifoCounts::words + FifoTiming::View(*inner.fifo).rules().room;
     return words;

@@ -39,7 +39,7 @@ class RelativeState {
     static std::uint32_t blocks_of(LoopShape const& loop) { return loop.depth < loop.interval.achieved ? 2 : 1; }
     static std::uint32_t blocks_of(ProcessTiming const& process);
     std::uint32_t blocks() const;
-    /// Adds sums and raises occupancies. A process has waited what it has waited for its FIFOs.
+    /// Adds sums and raises occupancies. What a process has waited is the sum of what it waited for its FIFOs.
     void enter(FigureTotals const& figures);
 
     bool is_in_loop(unsigned member) const { return process(member).in_loop(); }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "dataflow/core/time/fifo_rules.hpp"
@@ -225,6 +226,17 @@ template <class Process> void save_process(Process& process, ProcessFlags flags,
         page.put_operation(process.log().begin()[i].code());
 }
 
+/// At most, with what its log holds now.
+template <class Process> std::size_t most_words_of(Process const& process, ProcessShape const& shape) {
+    std::uint64_t longest_lag = 0;
+    for (LoopPlan const& plan : shape.plans)
+        longest_lag = std::max(longest_lag, plan.longest_lag);
+    return 1 + ProcessFlags::words + longest_lag + (process.flushes() ? words_of(process.state().flushing) : 0) +
+           (process.sets_up_ahead() ? words_of_setups(process.state()) : 0) +
+           (process.has_interlocks() ? words_of_bubbles(process.state()) : 0) +
+           words_of_operation * process.log().pending();
+}
+
 /// Puts the operations that are left in front of the log of the process. Returns the words behind its own.
 template <class Process>
 StateWord const* load_process(Process& process, typename Process::Time base, StateWord const* words,
@@ -248,9 +260,13 @@ StateWord const* load_process(Process& process, typename Process::Time base, Sta
 }
 
 /// Of its times only those that are not over, when neither end does anything before `reads_from` and `writes_from`: a
-/// time before that decides nothing, it could as well be that time.
+/// time before that decides nothing, it could as well be that time. Where a frozen writer finds room, Transition::Room
+/// tells.
 template <class Line>
-void save_fifo(FifoRules<Line> const& fifo, std::int64_t reads_from, std::int64_t writes_from, StatePage& page) {
+void save_fifo(FifoRules<Line> const& fifo, std::int64_t reads_from, std::int64_t writes_from, bool writer_is_frozen,
+               StatePage& page) {
+    if (writer_is_frozen)
+        writes_from = std::numeric_limits<std::int64_t>::max();
     FifoCounts counts;
     counts.tokens = fifo.readable.known();
     counts.tokens_over = fifo.readable.count_until(reads_from);

@@ -11,7 +11,7 @@
 namespace dataflow::timing {
 
 /// What a phrase of a group's driver does, from a relative state of the group on. Times are relative to the driver's
-/// local time at the end.
+/// local time at the end; those of the trail, to that at the begin.
 struct Transition {
     static constexpr unsigned most_members = Lead::most_members;
 

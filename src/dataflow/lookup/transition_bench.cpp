@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 
 #include "dataflow/base/each_bit.hpp"
 #include "dataflow/core/time/core_timing.hpp"
@@ -333,9 +332,8 @@ void TransitionBench::save() {
         member.process.save(page_);
     for (Fifo const& fifo : fifos_) {
         BenchProcess const& writer = members_[fifo.writer].process;
-        // Where a frozen writer finds room, rooms tell.
-        save_fifo(fifo.fifo, members_[fifo.reader].process.not_before(),
-                  writer.is_frozen() ? std::numeric_limits<std::int64_t>::max() : writer.not_before(), page_);
+        save_fifo(fifo.fifo, members_[fifo.reader].process.not_before(), writer.not_before(), writer.is_frozen(),
+                  page_);
     }
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
 
 #include "dataflow/core/time/process_rules.hpp"
 

@@ -104,8 +104,8 @@ template <class Time> class FlushingPipeline {
     }
 
     /// Lets tokens out in order, as long as there is known to be room, from `time` on, the cycle of the next step.
-    /// `room()`: whether there is for one more; `earliest()`: the cycle from which on; `leaves(token, due, cycle)`: it
-    /// leaves in a cycle, and was due before.
+    /// `has_room()`: whether there is for one more; `earliest()`: the cycle from which on; `leaves(token, due, cycle)`:
+    /// it leaves in a cycle, and was due before.
     template <class HasRoom, class Earliest, class Leaves>
     void let_out(Time time, HasRoom has_room, Earliest earliest, Leaves leaves) {
         for (std::size_t i = 0; i < left_; ++i)

@@ -15,8 +15,8 @@ class Region {
     static Region setup() { return Region(1); }
     static Region memory() { return Region(2); }  ///< it waits for the external one
     static Region of_loop(unsigned loop, Part part) {
-        return Region(static_cast<std::uint16_t>(first_of_loop + parts_of_loop * loop + static_cast<unsigned>(part) -
-                                                 first_of_loop));
+        static_assert(static_cast<unsigned>(Part::fill) == first_of_loop);
+        return Region(static_cast<std::uint16_t>(parts_of_loop * loop + static_cast<unsigned>(part)));
     }
 
     Part part() const {

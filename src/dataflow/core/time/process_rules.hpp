@@ -16,7 +16,7 @@
 namespace dataflow::timing {
 
 /// The rules of time of a process (docs/timing-model.md): the step, the pipelined loop with its delay line, the setup,
-/// the steps of a flushing pipeline. This is the only place that states them. The local time moves by what an operation
+/// the steps of a flushing pipeline; those of attempts are in attempts.cpp. The local time moves by what an operation
 /// takes and by waiting; leaving a loop that is shallower than its interval sets it back.
 ///
 /// Iterations are done one by one here. Nobody waits for that long: BulkRuns does many at a time.

@@ -107,7 +107,6 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     void set_call_start(CallStart start) { shape_->call_start = start; }
     /// Stamps note the last cycle that has passed, instead of the one to come.
     void let_stamps_look_back(bool look_back) { shape_->stamps_back = look_back ? 1 : 0; }
-    Cycles setup_cycles() const { return shape_->setup_cycles; }
     /// What loops stood still for setups that had begun and were not done.
     Cycles awaited_setup_cycles() const { return figures_.awaited_setup_cycles; }
 

@@ -15,6 +15,11 @@ namespace dataflow {
 namespace {
 
 Key number_key(std::string const& design, DesignNumber const& number) {
+    auto const value = static_cast<std::int64_t>(number.otherwise);
+    if (value < number.range.min || value > number.range.max)
+        throw InputError("number " + number.key + ": its default is " + std::to_string(value) +
+                         ", expected one of its range, " + std::to_string(number.range.min) + ".." +
+                         std::to_string(number.range.max));
     return KeyMaker<SimpleConfig>::integer_key(
         {number.key, "", number.meaning, design},
         number.range, [name = number.key](auto& config) -> auto& { return config.numbers.of(name); });

@@ -97,11 +97,7 @@ bool OperationCheck::accepts_await_write(Operation const& operation) const {
     return operation.count() > 0 && (is_known ? has(loops[state_.loop]) : std::any_of(loops.begin(), loops.end(), has));
 }
 
-/// Loops that read and write do, no others.
-bool OperationCheck::prepares_beside_loops() const {
-    auto const& loops = process_->loops();
-    return std::any_of(loops.begin(), loops.end(), [](timing::LoopShape const& loop) { return !loop.reads.empty(); });
-}
+bool OperationCheck::prepares_beside_loops() const { return process_->shape()->sets_up_ahead; }
 
 bool OperationCheck::is_in_loop_at(Operation const& operation) {
     switch (operation.kind()) {

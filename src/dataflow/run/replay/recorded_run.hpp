@@ -15,8 +15,9 @@
 
 namespace dataflow::replay {
 
-/// All that a run did, without the time it took: the function of the dataflow does not depend on its timing, as it
-/// reads and writes its FIFOs blocking, and only so. Nor does it depend on which core scores which sample.
+/// All that a run did, without the time it took: the function of the dataflow does not depend on its timing, nor on
+/// which core scores which sample. Where it accesses FIFOs without waiting, what it found is recorded too, and a
+/// retiming in which it would find something else is refused.
 struct RecordedRun {
     std::unique_ptr<timing::CoreTiming> blueprint;  ///< FIFOs and processes that all cores have, nothing done yet
     std::deque<std::string> source_files;           ///< what the blueprint's source sites point to, if read from a file

@@ -50,14 +50,6 @@ bool Replay::go_on() {
     return false;
 }
 
-void Replay::go_on_to(std::size_t sample) {
-    for (; fed_ < share_.count && share_.first + fed_ < sample && !is_over_; ++fed_) {
-        if (begin_script(share_.first + fed_))
-            core_.walk_through();
-        end_sample(share_.first + fed_);
-    }
-}
-
 bool Replay::is_stuck() const { return std::find(is_stuck_.begin(), is_stuck_.end(), true) != is_stuck_.end(); }
 
 /// False if there is nothing to be followed.
@@ -71,7 +63,7 @@ bool Replay::begin_script(std::size_t sample) {
 }
 
 void Replay::end_sample(std::size_t sample) {
-    is_scripted_ ? feed_rest(source_[sample]) : feed_plain(sample);
+    is_scripted_ ? source_[sample].tell_rest(core_) : feed_plain(sample);
     core_.resolve(false);
     if (all_times() == times_before_ || backlog() > usual_backlog)
         find_stuck();
@@ -91,17 +83,8 @@ void Replay::take_up(ScriptedSample const& scripted, std::size_t sample) {
     if (!has_followers_)
         return;
     supply(sample + 2);
-    script_ = scripted.script;
-    script_.book = &source_.book();
-    script_.next = scripted.phrases.data();
-    script_.end = script_.next + scripted.phrases.size();
+    script_ = scripted.script_in(source_.book());
     core_.take_up(script_);
-}
-
-void Replay::feed_rest(ScriptedSample const& scripted) {
-    for (std::size_t i = 0; i < scripted.after.size(); ++i)
-        for (timing::Operation const& operation : scripted.after[i])
-            core_.process(i).log().append(operation);
 }
 
 /// The supplier is a sample ahead, so that what it goes on with after the one at hand is known.

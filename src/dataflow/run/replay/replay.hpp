@@ -27,8 +27,6 @@ class Replay {
     bool go_on();
     timing::PhraseCore& core() { return core_; }
 
-    /// All of its samples before one, walks included: for a core that does not take turns with others.
-    void go_on_to(std::size_t sample);
     /// Some process will never do what was asked of it.
     bool is_stuck() const;
 
@@ -39,7 +37,6 @@ class Replay {
     void end_sample(std::size_t sample);
     void feed_plain(std::size_t sample);
     void take_up(ScriptedSample const& scripted, std::size_t sample);
-    void feed_rest(ScriptedSample const& scripted);
     void supply(std::size_t end);
     std::size_t backlog();
     Cycles all_times() const;

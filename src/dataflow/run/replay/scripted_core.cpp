@@ -60,10 +60,7 @@ bool ScriptedCore::awaits_driver() const {
 
 /// False: it waits for the memory.
 bool ScriptedCore::follow() {
-    while (core_.set_out()) {
-        core_.let_walk();
-        core_.arrive();
-    }
+    core_.walk_through();
     if (!script_.done())
         note_who_is_done();
     return script_.done();
@@ -74,18 +71,13 @@ void ScriptedCore::take_up_next() {
         unsigned const process = group_.members()[m].process->index();
         append_sample(sample().before[process], core_.process(process).log());
     });
-    script_ = sample().script;
-    script_.book = &source_.book();
-    script_.next = sample().phrases.data();
-    script_.end = script_.next + sample().phrases.size();
+    script_ = sample().script_in(source_.book());
     core_.take_up(script_);
     is_following_ = true;
 }
 
 void ScriptedCore::end_sample() {
-    for (std::size_t i = 0; i < sample().after.size(); ++i)
-        for (timing::Operation const& operation : sample().after[i])
-            core_.process(i).log().append(operation);
+    sample().tell_rest(core_);
     core_.resolve(false);
     is_following_ = false;
     if (++fed_ == share_.count || !core_.follows_script())

@@ -20,6 +20,21 @@ struct ScriptedSample {
     SampleOperations after;  ///< by process
     timing::Script script;   ///< of the phrases; without pointers
 
+    /// For a core to follow; the book is that of the phrases.
+    timing::Script script_in(timing::PhraseBook const& book) const {
+        timing::Script whole = script;
+        whole.book = &book;
+        whole.next = phrases.data();
+        whole.end = whole.next + phrases.size();
+        return whole;
+    }
+    /// Tells the processes what they do behind the phrases.
+    void tell_rest(timing::CoreTiming& core) const {
+        for (std::size_t i = 0; i < after.size(); ++i)
+            for (timing::Operation const& operation : after[i])
+                core.process(i).log().append(operation);
+    }
+
     /// To the numbers that its phrases have in another book.
     void renumber(std::vector<timing::PhraseBook::Number> const& numbers) {
         for (timing::PhraseBook::Number& number : phrases)

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double cost_rounding = 1e-6;  // LUTs
 
-SearchOptions relaxed_options(SearchOptions options, bool is_monotone) {
+SearchOptions options_for(SearchOptions options, bool is_monotone) {
     options.has_repeatable_cuts = !is_monotone;
     return options;
 }
@@ -32,8 +32,8 @@ bool beats(FrontPoint const& a, FrontPoint const& b) {
 RepairedSearch::RepairedSearch(FifoFrame const& frame, CoreTimes& times, Unbounded const& unbounded,
                                SearchOptions const& options)
     : is_monotone_(times.is_monotone()),
-      relaxed_(frame, times.relaxed(), unbounded, relaxed_options(options, is_monotone_)),
-      exact_(frame, times, unbounded, relaxed_options(options, is_monotone_), &relaxed_) {}
+      relaxed_(frame, times.relaxed(), unbounded, options_for(options, is_monotone_)),
+      exact_(frame, times, unbounded, options_for(options, is_monotone_), &relaxed_) {}
 
 Found RepairedSearch::cheapest(Cycles bound) {
     Found found = relaxed_.cheapest(bound);

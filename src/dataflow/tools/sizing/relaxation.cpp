@@ -1,7 +1,5 @@
 #include "dataflow/tools/sizing/relaxation.hpp"
 
-#include <utility>
-
 namespace dataflow::sizing {
 
 std::vector<std::size_t> freezing_fifos(Machine const& machine) {

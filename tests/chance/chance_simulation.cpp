@@ -359,18 +359,23 @@ Outcome run_here(Design const& design, Design const& other, faster::Engine engin
 }
 
 void put(ValueWriter& writer, Figures const& figures) {
-    writer.put(figures.is_stuck, figures.total_cycles, figures.lines.size());
-    for (std::string const& line : figures.lines)
-        writer.put(line);
+    writer.put(figures.is_stuck, figures.total_cycles);
+    for (std::vector<std::string> const* const lines : {&figures.lines, &figures.hand_overs}) {
+        writer.put(lines->size());
+        for (std::string const& line : *lines)
+            writer.put(line);
+    }
 }
 
 Figures get(ValueReader& reader) {
     Figures figures;
     reader.get(figures.is_stuck);
     reader.get(figures.total_cycles);
-    figures.lines.resize(reader.get_size());
-    for (std::string& line : figures.lines)
-        reader.get(line);
+    for (std::vector<std::string>* const lines : {&figures.lines, &figures.hand_overs}) {
+        lines->resize(reader.get_size());
+        for (std::string& line : *lines)
+            reader.get(line);
+    }
     return figures;
 }
 

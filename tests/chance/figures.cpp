@@ -7,9 +7,9 @@ namespace faster::chance {
 
 namespace {
 
-void add_fifos(RunStatistics const& run, std::size_t core, std::vector<std::string>& lines) {
+void add_fifos(RunStatistics const& run, std::size_t core, std::vector<std::string>& lines, bool hand_over = false) {
     for (std::size_t i = 0; i < run.machine.fifos.size(); ++i) {
-        if (run.machine.fifos[i].hands_over > 0)
+        if ((run.machine.fifos[i].hands_over > 0) != hand_over)
             continue;
         FifoStatistics const& fifo = run.cores[core].fifos[i];
         lines.push_back(fifo_line(core, run.machine.fifos[i].name, fifo.writes, fifo.reads, fifo.full_stall_cycles,
@@ -65,6 +65,8 @@ std::string wait_line(std::size_t core, std::string const& process, std::string 
 Figures figures_of(RunStatistics const& run) {
     Figures figures;
     figures.is_stuck = run.deadlocked();
+    for (std::size_t core = 0; core < run.cores.size(); ++core)
+        add_fifos(run, core, figures.hand_overs, true);
     if (figures.is_stuck) {
         figures.lines.push_back(fmt::format("deadlock at {}", run.deadlock_cycle()));
         for (StuckProcess const& one : run.stuck)

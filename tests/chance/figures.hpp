@@ -12,6 +12,8 @@ struct Figures {
     std::vector<std::string> lines;
     bool is_stuck = false;
     Cycles total_cycles = 0;
+    std::vector<std::string>
+        hand_overs;  ///< FIFOs that hand over calls, of which the simulation cycle by cycle has none
     /// Of a simulation cycle by cycle: what attempts found, a letter each; by process of all cores and FIFO, as
     /// attempts of one cycle have no order.
     std::vector<std::string> outcomes;

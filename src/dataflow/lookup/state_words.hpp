@@ -259,6 +259,12 @@ StateWord const* load_process(Process& process, typename Process::Time base, Sta
     return words + words_of_operation * flags.left;
 }
 
+/// A token is there at the end of a cycle, which its FIFO's occupancy counts, if it is read later. Where it can be read
+/// in the cycle in which it is written, it has to be older than the reader's present for that to be sure.
+template <class Line> std::int64_t age_that_shows(FifoRules<Line> const& fifo) {
+    return fifo.read_latency == 0 ? 1 : 0;
+}
+
 /// Of its times only those that are not over, when neither end does anything before `reads_from` and `writes_from`: a
 /// time before that decides nothing, it could as well be that time. Where a frozen writer finds room, Transition::Room
 /// tells.
@@ -269,7 +275,7 @@ void save_fifo(FifoRules<Line> const& fifo, std::int64_t reads_from, std::int64_
         writes_from = std::numeric_limits<std::int64_t>::max();
     FifoCounts counts;
     counts.tokens = fifo.readable.known();
-    counts.tokens_over = fifo.readable.count_until(reads_from);
+    counts.tokens_over = fifo.readable.count_until(reads_from - age_that_shows(fifo));
     counts.room_over = fifo.free.count_until(writes_from);
     page.put_flags(counts);
     page.put_times(fifo.readable, counts.tokens_over, counts.tokens);
@@ -285,7 +291,8 @@ StateWord const* load_fifo(FifoRules<Line>& fifo, typename Line::Time base, type
     words += FifoCounts::words;
     std::uint64_t const tokens = counts.tokens - counts.tokens_over;
     std::uint64_t const writes = fifo.room - counts.tokens - counts.room_over;
-    fifo.readable.load_end(counts.tokens_over, reads_from, tokens, base, words);
+    auto const over = static_cast<typename Line::Time>(static_cast<std::int64_t>(reads_from) - age_that_shows(fifo));
+    fifo.readable.load_end(counts.tokens_over, over, tokens, base, words);
     fifo.free.load_front(counts.room_over, writes_from, writes, base, words + tokens);
     return words + tokens + writes;
 }

@@ -127,7 +127,7 @@ class Events {
   public:
     explicit Events(std::string const& path)
         : file_(events::read_event_file(path)),
-          scripted_(file_.run, file_.run.lead(machine_of(file_.loaded.config))) {}
+          scripted_(file_.run, file_.run.lead) {}
 
     std::string const& recorded_summary() const { return file_.summary; }
 

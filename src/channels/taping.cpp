@@ -20,6 +20,7 @@ Taping::Taping(DataflowAccelerator& accelerator, replay::RecordedRun& run)
       run_(run),
       tapes_(accelerator.cores().size()),
       writer_(run, accelerator.machine().lead, accelerator.machine().process_places()) {
+    run.lead = accelerator.machine().lead;
     if (accelerator.memory() != nullptr)
         tape_memory();
     for (std::size_t core = 0; core < tapes_.size(); ++core) {
@@ -33,7 +34,6 @@ void Taping::tape_memory() {
     Machine const& machine = accelerator_.machine();
     replay::RecordedMemory& memory = run_.memory.emplace();
     memory.loaded = accelerator_.loaded();
-    memory.lead = machine.lead;
     for (auto const& core : accelerator_.cores()) {
         std::size_t const first = core->share().first;
         memory.entries.resize(std::max(memory.entries.size(), first + core->share().count),

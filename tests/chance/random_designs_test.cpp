@@ -2,6 +2,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 #include "chance/chance_design.hpp"
@@ -166,6 +167,25 @@ TEST_CASE("nobody waits for stores, however far they run ahead of the memory") {
                  << count.with_attempts << " make attempts, " << count.refused << " retimings of which are refused");
     if (designs >= 30)
         CHECK(count.with_attempts > 0);
+}
+
+/// None, if nothing in it can rewind.
+std::optional<Design> without_rewinds(Design design) {
+    bool can_rewind = false;
+    for (Process& process : design.processes)
+        for (Loop& loop : process.loops) {
+            can_rewind = can_rewind || loop.can_rewind;
+            loop.rewinds = false;
+        }
+    return can_rewind ? std::optional<Design>(design) : std::nullopt;
+}
+
+TEST_CASE("what did not rewind is retimed as if it had") {
+    Count count;
+    std::uint64_t const first = asked("CHANCE_SEED", 1), designs = asked("CHANCE_DESIGNS", 150) / 5;
+    for (std::uint64_t seed = first; count.designs < designs; ++seed)
+        if (std::optional<Design> const design = without_rewinds(random_design(seed)))
+            check_design(*design, seed, count);
 }
 
 TEST_CASE("random designs do the same in both engines, retimed, and in a simulation cycle by cycle") {

@@ -138,6 +138,7 @@ struct Samples {
     RunStatistics retime(replay::ScriptedSample const& sample) const {
         replay::RecordedRun run;
         run.blueprint = file.run.blueprint->blank_copy();
+        run.lead = machine.lead;
         run.counters.resize(1);
         run.tape.put(0, sample, known.book());
         run.tape.finish();

@@ -39,6 +39,14 @@ bool can_flush(Group::Member const& member, Group const& group) {
     return &member != &group.members().front() && member.process->port_count() == 2 && member.inner_ports == all;
 }
 
+/// No state of a process tells of its rests between calls.
+bool rewinds(CoreTiming const& core) {
+    return std::any_of(core.processes().begin(), core.processes().end(), [](ProcessTiming const& process) {
+        return std::any_of(process.loops().begin(), process.loops().end(),
+                           [](LoopShape const& loop) { return loop.rewinds; });
+    });
+}
+
 bool can_follow(Group const& group) {
     std::uint64_t room = 0;
     for (Group::Inner const& inner : group.fifos())
@@ -64,7 +72,7 @@ bool Automaton::fits(CoreTiming const& core, Lead const& lead, Group const& grou
     if (!decided_) {
         decided_ = true;
         next_trial_ = first_trial;
-        usable_ = can_follow(group);
+        usable_ = can_follow(group) && !rewinds(core);
         driver_is_regular_ = is_regular(*group.driver().shape());
         in_steps_ = in_steps;
         if (usable_)

@@ -177,7 +177,6 @@ void read_memory(Json const& index, Machine const& machine, std::size_t samples,
         return;
     Json const& json = index.at("memory");
     replay::RecordedMemory& memory = run.memory.emplace();
-    memory.lead = machine.lead;
     for (Json const& sample : json.at("entries")) {
         memory.entries.emplace_back();
         for (Json const& entries : sample)
@@ -202,6 +201,7 @@ Json machine_json(timing::CoreTiming const& blueprint) {
 void read_machine(Json const& json, Machine const& machine, replay::RecordedRun& run) {
     run.blueprint = std::make_unique<timing::CoreTiming>();
     build_core(*run.blueprint, machine);
+    run.lead = machine.lead;
     if (json.size() != run.blueprint->processes().size())
         throw std::invalid_argument("it has other processes");
     SourceReader source(run);

@@ -3,7 +3,6 @@
 
 #include "dataflow/core/memory/memory_block.hpp"
 #include "dataflow/core/memory/memory_load.hpp"
-#include "dataflow/core/time/lead.hpp"
 
 namespace dataflow::replay {
 
@@ -14,7 +13,6 @@ struct RecordedMemory {
 
     std::vector<std::vector<Entries>> entries;  ///< by sample of the run, and by master
     std::vector<timing::LoadedRange> loaded;    ///< before cycle 0
-    timing::Lead lead;                          ///< of the machine that ran, which its phrases belong to
 };
 
 }  // namespace dataflow::replay

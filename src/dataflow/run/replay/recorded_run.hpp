@@ -21,6 +21,7 @@ namespace dataflow::replay {
 struct RecordedRun {
     std::unique_ptr<timing::CoreTiming> blueprint;  ///< FIFOs and processes that all cores have, nothing done yet
     std::deque<std::string> source_files;           ///< what the blueprint's source sites point to, if read from a file
+    timing::Lead lead;  ///< of the machine that ran, which the phrases on the tape belong to: another's may have others
     OperationTape tape;
     /// Of a run that got stuck: samples that are not on the tape, as far as they got. It can be looked at then, but not
     /// retimed.
@@ -31,8 +32,6 @@ struct RecordedRun {
     std::size_t samples() const {
         return unfinished.empty() ? tape.samples() : std::max(tape.samples(), unfinished.rbegin()->first + 1);
     }
-    /// That of the phrases on the tape, for a run on `machine`, or on one like it that is to be retimed.
-    timing::Lead const& lead(Machine const& machine) const { return memory ? memory->lead : machine.lead; }
 };
 
 }  // namespace dataflow::replay

@@ -105,7 +105,7 @@ Cores retime_cores(ScriptedRun const& run, Machine const& machine, std::vector<s
 }
 
 RunStatistics retime(RecordedRun const& run, Machine const& machine) {
-    return retime(ScriptedRun(run, run.lead(machine), ScriptedRun::Uses::few), machine);
+    return retime(ScriptedRun(run, run.lead, ScriptedRun::Uses::few), machine);
 }
 
 RunStatistics retime(ScriptedRun const& run, Machine const& machine, std::size_t jobs) {

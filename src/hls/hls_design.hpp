@@ -104,8 +104,8 @@ class HlsCore : public SimpleCore {
     HlsScript next_script(std::size_t process);
     /// The results of the calls, in their order.
     Counters next_results();
-    /// One more function that runs beside its clock has returned from the call. Whether all have: the last of the design
-    /// may return long before others do.
+    /// One more function that runs beside its clock has returned from the call. Whether all have: the last of the
+    /// design may return long before others do.
     bool is_over_with(std::size_t call);
 
   private:

@@ -69,10 +69,10 @@ class LiveModule : public SimpleModule {
     void work(std::size_t sample) override {
         if (!core_.machine().processes[number_].setup_activity.empty())
             clock_.set_up();
-        core_.live_design().set_call(sample);
+        core_.begin_live_call(sample);
         function_.run();
-        if (core_.is_over_with(sample))
-            add_result(core_.design().results());
+        if (auto const results = core_.end_live_call(sample, number_))
+            add_result(*results);
     }
 
     HlsCore& core_;
@@ -230,7 +230,17 @@ HlsScript HlsCore::next_script(std::size_t process) {
     return script;
 }
 
-bool HlsCore::is_over_with(std::size_t call) { return ++functions_over_[call] == scripts_.size(); }
+void HlsCore::begin_live_call(std::size_t call) {
+    design_->set_call(call);
+    latest_call_ = std::max(latest_call_, call);
+}
+
+std::optional<Counters> HlsCore::end_live_call(std::size_t call, std::size_t process) {
+    LiveCall& live = live_calls_[call];
+    if (process + 1 == scripts_.size() || (live.results && latest_call_ == call))
+        live.results = design_->results();
+    return ++live.functions_over == scripts_.size() ? live.results : std::nullopt;
+}
 
 Counters HlsCore::next_results() {
     Counters results = std::move(results_.front());

@@ -6,6 +6,7 @@
 #include <hls_stream.h>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -94,7 +95,6 @@ class HlsCore : public SimpleCore {
     ~HlsCore() override;
 
     HlsDesign const& design() const { return *design_; }
-    HlsDesign& live_design() const { return *design_; }
     untimed::LoopRecorder const& recorder(std::size_t process) const { return network_.recorder(process); }
     ClockedFifo<std::int64_t>& stream_fifo(std::size_t stream) const { return *fifos_[stream]; }
     /// Throws InputError if the description does not have it. `loop`: null outside loops
@@ -104,9 +104,12 @@ class HlsCore : public SimpleCore {
     HlsScript next_script(std::size_t process);
     /// The results of the calls, in their order.
     Counters next_results();
-    /// One more function that runs beside its clock has returned from the call. Whether all have: the last of the
-    /// design may return long before others do.
-    bool is_over_with(std::size_t call);
+
+    // Of functions that run beside their clocks.
+    void begin_live_call(std::size_t call);
+    /// Once all functions have returned from the call, its results: those when the design's last one did. Others may do
+    /// so long after that; they count as long as none has begun another call.
+    std::optional<Counters> end_live_call(std::size_t call, std::size_t process);
 
   private:
     void run_call();
@@ -118,7 +121,12 @@ class HlsCore : public SimpleCore {
     std::vector<std::unique_ptr<ClockedFifo<std::int64_t>>> fifos_;  // by stream
     std::vector<std::deque<HlsScript>> scripts_;                     // by process
     std::deque<Counters> results_;
-    std::map<std::size_t, std::size_t> functions_over_;  // by call
+    struct LiveCall {
+        std::size_t functions_over = 0;
+        std::optional<Counters> results;
+    };
+    std::map<std::size_t, LiveCall> live_calls_;
+    std::size_t latest_call_ = 0;
     std::uint64_t next_call_ = 0;
 };
 

@@ -50,40 +50,34 @@ fi
 
 cmake --preset "$preset"
 cmake --build --preset "$preset"
-
-# What builds nothing in the preset's folder goes on beside the tests, on cores that they leave idle: tests wait for
-# browsers, servers and the disk.
-check_beside() {
-    if [[ "${CI:-}" == true ]]; then
-        nice -n 19 bash scripts/check-package.sh "$preset" || return 1
-        nice -n 19 bash scripts/count-instructions.sh "$preset" || return 1
-    fi
-    if [[ "$tidy" == true ]]; then
-        # What decides cycles; all of src and tests takes a quarter of an hour on 2 cores: scripts/check-tidy.sh, by hand.
-        nice -n 19 bash scripts/check-tidy.sh 'src/\(channels\|modules\|dataflow/core\)/'
-    fi
-}
-if [[ "$tidy" == true ]] && ! command -v clang-tidy >/dev/null; then
-    echo "test: clang-tidy is missing" >&2
-    exit 1
-fi
-beside_log="build/$preset/beside.log"
-check_beside >"$beside_log" 2>&1 &
-beside=$!
-trap 'wait "$beside" 2>/dev/null || true' EXIT
-
-# One more than there are cores.
+# One more than there are cores: some wait for browsers and servers.
 ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" -LE '^(long|cluster)$'
+
 if [[ "${CI:-}" == true ]]; then
+    # They mostly wait for the disk and for apt, or keep one core busy, so others go on beside them; but not what builds in
+    # their folder.
+    beside_log="build/$preset/beside.log"
+    (bash scripts/count-instructions.sh "$preset" && bash scripts/check-package.sh "$preset") >"$beside_log" 2>&1 &
+    beside=$!
+    trap 'wait "$beside" 2>/dev/null || true' EXIT
     bash scripts/check-changes.sh "$preset"
 fi
 
-trap - EXIT
-wait "$beside" || {
-    cat "$beside_log" >&2
-    exit 1
-}
-cat "$beside_log"
+if [[ "$tidy" == true ]]; then
+    if ! command -v clang-tidy >/dev/null; then
+        echo "test: clang-tidy is missing" >&2
+        exit 1
+    fi
+    # What decides cycles; all of src and tests takes a quarter of an hour on 2 cores: scripts/check-tidy.sh, by hand.
+    bash scripts/check-tidy.sh 'src/\(channels\|modules\|dataflow/core\)/'
+fi
+
 if [[ "${CI:-}" == true ]]; then
+    trap - EXIT
+    wait "$beside" || {
+        cat "$beside_log" >&2
+        exit 1
+    }
+    cat "$beside_log"
     bash scripts/check-without-lookup.sh "$preset"
 fi

@@ -124,7 +124,7 @@ int sc_main(int argc, char** argv) {
     fmt::print("read in {:.1f} ms\n", 1e3 * (processor_seconds() - start));
     fmt::print("as recorded, from the file: {:.2f} ms\n", measure(file.run, recorded).milliseconds);
     start = processor_seconds();
-    replay::ScriptedRun const scripted(file.run, testing::raster_machine(recorded).lead);
+    replay::ScriptedRun const scripted(file.run);
     fmt::print("made ready in {:.1f} ms, {} phrases and pieces of them that differ\n",
                1e3 * (processor_seconds() - start), scripted.book().size());
     fmt::print("as recorded, the first time: {:.2f} ms\n", measure(scripted, recorded).milliseconds);

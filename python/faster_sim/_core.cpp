@@ -126,8 +126,7 @@ struct Retimed {
 class Events {
   public:
     explicit Events(std::string const& path)
-        : file_(events::read_event_file(path)),
-          scripted_(file_.run, file_.run.lead) {}
+        : file_(events::read_event_file(path)), scripted_(file_.run) {}
 
     std::string const& recorded_summary() const { return file_.summary; }
 

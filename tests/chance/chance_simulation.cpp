@@ -286,7 +286,7 @@ Figures figures_from_file(LoadedConfig const& loaded, replay::RecordedRun const&
 
 /// As if many more retimings were to come.
 RunStatistics retime_ready(replay::RecordedRun const& recorded, Machine const& machine) {
-    return replay::retime(replay::ScriptedRun(recorded, recorded.lead), machine);
+    return replay::retime(replay::ScriptedRun(recorded), machine);
 }
 
 void retime_as(Design const& other, replay::RecordedRun const& recorded, Outcome& outcome) {

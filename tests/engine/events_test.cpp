@@ -201,7 +201,7 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
         Engine const engine = number % 2 == 0 ? Engine::decoupled : Engine::lockstep;
         record(recorded, stimulus, engine, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        replay::ScriptedRun const scripted(file.run, raster_machine(recorded).lead);
+        replay::ScriptedRun const scripted(file.run);
         for (std::uint64_t i = 0; i < 20; ++i) {
             std::uint64_t const seed = 10000 + 100 * number + i;
             CAPTURE(number, seed);
@@ -235,7 +235,7 @@ TEST_CASE("Samples that are put into steps take what a run takes, whatever the d
         Stimulus const stimulus = workload(number);
         record(recorded, stimulus, Engine::decoupled, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        replay::ScriptedRun const scripted(file.run, raster_machine(recorded).lead);
+        replay::ScriptedRun const scripted(file.run);
         for (std::uint64_t i = 0; i < 30; ++i) {
             std::uint64_t const seed = 30000 + 100 * number + i;
             CAPTURE(number, seed);
@@ -285,12 +285,11 @@ TEST_CASE("On how many threads a run is read does not matter", "[events]") {
         AcceleratorConfig const recorded = recorded_configuration(9600 + number, number);
         record(recorded, workload(number), Engine::decoupled, folder / "events");
         events::EventFile const file = events::read_event_file(folder / "events");
-        timing::Lead const lead = raster_machine(recorded).lead;
-        replay::ScriptedRun const one(file.run, lead, replay::ScriptedRun::Uses::many, 1);
+        replay::ScriptedRun const one(file.run, replay::ScriptedRun::Uses::many, 1);
         CHECK(one.size() == file.samples.size());
         for (std::size_t const jobs : {2U, 3U, 20U}) {
             CAPTURE(number, jobs);
-            replay::ScriptedRun const run(file.run, lead, replay::ScriptedRun::Uses::many, jobs);
+            replay::ScriptedRun const run(file.run, replay::ScriptedRun::Uses::many, jobs);
             CHECK(run.size() == file.samples.size());
             CHECK(said_by_phrases(run) == said_by_phrases(one));
         }

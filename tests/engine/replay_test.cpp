@@ -76,7 +76,7 @@ Asked replay_all(replay::ScriptSource const& source, replay::ScriptedRun const& 
     Asked asked;
     Machine const machine = raster_machine(config);
     auto const core = core_of(run, machine);
-    replay::PlainReader reader(run.run(), run.lead());
+    replay::PlainReader reader(run.run());
     auto const plain = [&](std::size_t sample) {
         ++asked.plain;
         return reader.read(sample);
@@ -95,7 +95,7 @@ TEST_CASE("Where nobody can go on any more, no further samples are read", "[repl
     test::TempFolder const folder;
     events::EventFile const file = recorded_run(folder, AcceleratorConfig());
     AcceleratorConfig const recorded = accelerator_of(file.loaded.config);
-    replay::ScriptedRun const run(file.run, raster_machine(recorded).lead);
+    replay::ScriptedRun const run(file.run);
     for (bool const scripted : {false, true}) {
         CAPTURE(scripted);
         Watched const watched(run);
@@ -118,7 +118,7 @@ TEST_CASE("Samples that no script has are told as they were, behind others that 
     config.rasterizer.setup_overlap = 2;
     events::EventFile const file = recorded_run(folder, config);
     Machine const machine = raster_machine(config);
-    replay::ScriptedRun const run(file.run, machine.lead);
+    replay::ScriptedRun const run(file.run);
     auto const formed = run.samples_for(*core_of(run, machine), machine);
     bool const has_lookup = timing::make_answers() != nullptr;
     CHECK(formed->form().empty() != has_lookup);

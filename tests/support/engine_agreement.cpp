@@ -73,7 +73,7 @@ bool check_agreement(AcceleratorConfig const& config, Stimulus const& stimulus) 
 RunStatistics check_retiming(replay::RecordedRun const& recorded, AcceleratorConfig const& config,
                              Stimulus const& stimulus) {
     Machine const machine = raster_machine(config);
-    RunStatistics const retimed = replay::retime(replay::ScriptedRun(recorded, recorded.lead), machine);
+    RunStatistics const retimed = replay::retime(replay::ScriptedRun(recorded), machine);
     RunStatistics run = run_forked(config, stimulus, Engine::lockstep).statistics;
     CHECK(retimed.deadlocked() == run.deadlocked());
     if (!run.deadlocked())

@@ -103,7 +103,7 @@ void retime_points(sweeps::Assignment const& assignment, sweeps::Sweep const& sw
         events::EventFile const recorded = events::read_event_file(events);
         if (recorded.function != assignment.function)
             throw InputError(events.string() + ": was recorded of something else");
-        replay::ScriptedRun const run(recorded.run, recorded.run.lead);
+        replay::ScriptedRun const run(recorded.run);
         for (std::size_t const point : assignment.points) {
             LoadedConfig const asked = sweep.configuration(point);
             if (check.has_changed(point, asked.config, reply))

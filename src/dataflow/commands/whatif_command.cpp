@@ -80,7 +80,7 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
     Machine const machine = machine_of(changed.config);
     announce(size_of_retimings("whatif", recorded.run, machine, 1), request.force);
     auto const start = HostClock::now();
-    RunStatistics run = request.critical_path ? replay::retime_with_path({recorded.run, recorded.run.lead}, machine)
+    RunStatistics run = request.critical_path ? replay::retime_with_path(replay::ScriptedRun(recorded.run), machine)
                                               : replay::retime(recorded.run, machine);
     run.warnings = recorded_warnings(recorded);
     host.simulate_seconds = seconds_since(start);

@@ -4,8 +4,7 @@
 
 namespace dataflow::replay {
 
-PlainReader::PlainReader(RecordedRun const& run, timing::Lead const& lead)
-    : run_(run), tape_(run.tape, LeadCore(*run.blueprint, lead)) {}
+PlainReader::PlainReader(RecordedRun const& run) : run_(run), tape_(run.tape, LeadCore(*run.blueprint, run.lead)) {}
 
 SampleOperations PlainReader::read(std::size_t sample) {
     if (auto const unfinished = run_.unfinished.find(sample); unfinished != run_.unfinished.end())

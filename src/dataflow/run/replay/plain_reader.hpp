@@ -10,7 +10,7 @@ namespace dataflow::replay {
 /// Reads samples of a run, which must outlive it, as operations, no phrases.
 class PlainReader {
   public:
-    PlainReader(RecordedRun const& run, timing::Lead const& lead);
+    explicit PlainReader(RecordedRun const& run);
     SampleOperations read(std::size_t sample);
 
   private:

@@ -21,7 +21,7 @@ namespace dataflow::replay {
 struct RecordedRun {
     std::unique_ptr<timing::CoreTiming> blueprint;  ///< FIFOs and processes that all cores have, nothing done yet
     std::deque<std::string> source_files;           ///< what the blueprint's source sites point to, if read from a file
-    timing::Lead lead;  ///< of the machine that ran, which the phrases on the tape belong to: another's may have others
+    timing::Lead lead;  ///< of the machine that ran: the phrases on the tape are those of its group
     OperationTape tape;
     /// Of a run that got stuck: samples that are not on the tape, as far as they got. It can be looked at then, but not
     /// retimed.

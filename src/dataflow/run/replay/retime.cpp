@@ -42,7 +42,7 @@ void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Answe
 Replay::Plain plain_reader(ScriptedRun const& run) {
     return [&run, reader = std::shared_ptr<PlainReader>()](std::size_t sample) mutable {
         if (reader == nullptr)
-            reader = std::make_shared<PlainReader>(run.run(), run.lead());
+            reader = std::make_shared<PlainReader>(run.run());
         return reader->read(sample);
     };
 }
@@ -105,7 +105,7 @@ Cores retime_cores(ScriptedRun const& run, Machine const& machine, std::vector<s
 }
 
 RunStatistics retime(RecordedRun const& run, Machine const& machine) {
-    return retime(ScriptedRun(run, run.lead, ScriptedRun::Uses::few), machine);
+    return retime(ScriptedRun(run, ScriptedRun::Uses::few), machine);
 }
 
 RunStatistics retime(ScriptedRun const& run, Machine const& machine, std::size_t jobs) {

@@ -30,8 +30,8 @@ bool allows_run_on(Machine const& machine, RecordedRun const& run) {
 
 void retime_many(RecordedRun const& run, std::vector<Machine> const& machines, Done const& done) {
     if (!machines.empty())
-        retime_many(ScriptedRun(run, run.lead, machines.size() > 2 ? ScriptedRun::Uses::many : ScriptedRun::Uses::few),
-                    machines, done);
+        retime_many(ScriptedRun(run, machines.size() > 2 ? ScriptedRun::Uses::many : ScriptedRun::Uses::few), machines,
+                    done);
 }
 
 void retime_many(ScriptedRun const& run, std::vector<Machine> const& machines, Done const& done) {

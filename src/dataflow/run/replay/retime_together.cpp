@@ -30,7 +30,7 @@ class PlainSamples {
         if (sample < run_.size())
             return joined(run_[sample], run_.book(), lead_.group);
         if (reader_ == nullptr)
-            reader_ = std::make_unique<PlainReader>(run_.run(), run_.lead());
+            reader_ = std::make_unique<PlainReader>(run_.run());
         return reader_->read(sample);
     }
 

@@ -31,9 +31,8 @@ std::size_t bytes_of(ScriptedSample const& sample) {
     return operations * sizeof(timing::Operation) + sample.phrases.size() * sizeof(PhraseBook::Number);
 }
 
-Share read_share(RecordedRun const& run, timing::Lead const& lead, std::size_t first, std::size_t end,
-                 std::size_t most_bytes) {
-    TapeReader reader(run.tape, LeadCore(*run.blueprint, lead));
+Share read_share(RecordedRun const& run, std::size_t first, std::size_t end, std::size_t most_bytes) {
+    TapeReader reader(run.tape, LeadCore(*run.blueprint, run.lead));
     Share share;
     std::size_t bytes = 0;
     for (; first < end && bytes < most_bytes; ++first) {
@@ -54,14 +53,14 @@ void renumber(Share& share, PhraseBook& book) {
 
 }  // namespace
 
-ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, Uses uses, std::size_t jobs)
-    : run_(&run), lead_(lead), jobs_(jobs), forms_(uses == Uses::many ? std::make_unique<KnownForms>() : nullptr) {
+ScriptedRun::ScriptedRun(RecordedRun const& run, Uses uses, std::size_t jobs)
+    : run_(&run), jobs_(jobs), forms_(uses == Uses::many ? std::make_unique<KnownForms>() : nullptr) {
     std::size_t const samples = run.unfinished.empty() ? run.tape.samples() : run.unfinished.begin()->first;
     if (jobs_ == 0)
         jobs_ = std::min(jobs_or_host_cores(0), samples / samples_worth_a_thread + 1);
     std::vector<Share> shares(jobs_);
     on_threads(jobs_, jobs_, [&](std::size_t i) {
-        shares[i] = read_share(run, lead, i * samples / jobs_, (i + 1) * samples / jobs_, most_bytes_of_run / jobs_);
+        shares[i] = read_share(run, i * samples / jobs_, (i + 1) * samples / jobs_, most_bytes_of_run / jobs_);
     });
     book_ = std::move(shares.front().book);
     for (Share& share : shares) {
@@ -71,7 +70,7 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, timing::Lead const& lead, Uses 
         if (!share.is_whole)
             break;  // the tape has all that follow
     }
-    timing::PhraseCutter(*run.blueprint, lead).cut_from(book_, 0);
+    timing::PhraseCutter(*run.blueprint, run.lead).cut_from(book_, 0);
 }
 
 std::shared_ptr<ScriptSource const> ScriptedRun::samples_for(timing::PhraseCore& core, Machine const& machine) const {

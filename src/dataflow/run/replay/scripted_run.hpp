@@ -11,17 +11,17 @@ namespace dataflow::replay {
 
 /// A recorded run made ready for retiming: its samples are decoded once. Takes 4 bytes per phrase and 8 per operation,
 /// and as much for each form that cores have; samples beyond a quarter of a gigabyte are left to the tape. The run must
-/// outlive it. `lead` is that of its machine.
+/// outlive it.
 class ScriptedRun : public ScriptSource {
   public:
     /// For how many retimings: to put samples into another form takes as long as some of them.
     enum class Uses { few, many };
 
     /// Reads on so many threads; 0: as many as are worth it.
-    ScriptedRun(RecordedRun const& run, timing::Lead const& lead, Uses uses = Uses::many, std::size_t jobs = 0);
+    explicit ScriptedRun(RecordedRun const& run, Uses uses = Uses::many, std::size_t jobs = 0);
 
     RecordedRun const& run() const { return *run_; }
-    timing::Lead const& lead() const { return lead_; }
+    timing::Lead const& lead() const { return run_->lead; }
     std::size_t jobs() const { return jobs_; }
     // Samples as they were told.
     timing::PhraseBook const& book() const override { return book_; }
@@ -33,7 +33,6 @@ class ScriptedRun : public ScriptSource {
 
   private:
     RecordedRun const* run_;
-    timing::Lead lead_;
     std::size_t jobs_;
     timing::PhraseCore::Form as_told_;
     timing::PhraseBook book_;

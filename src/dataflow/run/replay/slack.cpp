@@ -97,7 +97,7 @@ void find_slack(RecordedRun const& run, LoadedConfig const& loaded, Cycles total
         searches.emplace_back(run, loaded, keys[i], -1, total_cycles, rows[i].down);
         searches.emplace_back(run, loaded, keys[i], 1, total_cycles, rows[i].up);
     }
-    ScriptedRun const scripted(run, run.lead);
+    ScriptedRun const scripted(run);
     for (std::size_t done = 0;;) {
         std::vector<Machine> machines;
         std::vector<Search*> open;

@@ -209,7 +209,7 @@ Exploration::Exploration(std::string title, LoadedConfig recorded, replay::Recor
       run_(std::move(run)),
       require_(std::move(require)),
       run_again_(makes_attempts(machine_of(recorded_.config)) ? std::move(run_again) : RunAgain()),
-      scripted_(run_, run_.lead) {}
+      scripted_(run_) {}
 
 RunConfig Exploration::changed(Overrides const& overrides) const {
     RunConfig config = events::retimed_config(recorded_, overrides).config;

@@ -111,7 +111,7 @@ void replay_core(replay::RecordedRun const& run, Machine const& machine, std::si
     CoreShare const share = share_of(number, machine.cores, run.samples());
     std::unique_ptr<timing::PhraseCore> const core = replay::core_variant(*run.blueprint, machine);
     core->let_follow(run.lead, timing::make_answers());
-    replay::PlainReader reader(run, run.lead);
+    replay::PlainReader reader(run);
     CoreRecording recording(machine, share, *core, ReplayedCore::Driver::itself, wanted);
     for (std::size_t i = 0; i < share.count && recording.sample_begins(i); ++i) {
         replay::SampleOperations const operations = reader.read(share.first + i);
@@ -180,7 +180,7 @@ void replay_timelines(replay::ScriptedRun const& run, Machine const& machine,
 void replay_timelines(replay::RecordedRun const& run, Machine const& machine,
                       std::vector<SampleStatistics> const& samples, TakeTimeline const& take) {
     if (run.memory)
-        return replay_timelines(replay::ScriptedRun(run, run.lead), machine, samples, take);
+        return replay_timelines(replay::ScriptedRun(run), machine, samples, take);
     for (WantedOfCore const& wanted : passes_of(samples))
         replay_alone(run, machine, wanted, take);
 }

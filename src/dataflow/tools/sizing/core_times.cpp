@@ -67,8 +67,8 @@ Cycles load_of(replay::RecordedRun const& run, Machine const& machine) {
 }  // namespace
 
 CoreTimes::CoreTimes(replay::RecordedRun const& run, Machine const& machine, BeforeRetiming before_retiming)
-    : CoreTimes(std::make_shared<replay::ScriptedRun const>(run, run.lead), machine, load_of(run, machine),
-                writes_in_a_cycle(run, run.lead), std::move(before_retiming)) {}
+    : CoreTimes(std::make_shared<replay::ScriptedRun const>(run), machine, load_of(run, machine),
+                writes_in_a_cycle(run), std::move(before_retiming)) {}
 
 CoreTimes::CoreTimes(Run run, Machine machine, Cycles load, std::vector<std::uint64_t> writes,
                      BeforeRetiming before_retiming)

@@ -46,11 +46,11 @@ class Accesses {
 
 }  // namespace
 
-std::vector<std::uint64_t> writes_in_a_cycle(replay::RecordedRun const& run, timing::Lead const& lead) {
+std::vector<std::uint64_t> writes_in_a_cycle(replay::RecordedRun const& run) {
     std::vector<Accesses> processes;
     for (timing::ProcessTiming const& process : run.blueprint->processes())
         processes.emplace_back(process.port_count());
-    replay::PlainReader reader(run, lead);
+    replay::PlainReader reader(run);
     for (std::size_t sample = 0; sample < run.tape.samples(); ++sample) {
         replay::SampleOperations const operations = reader.read(sample);
         for (std::size_t i = 0; i < processes.size(); ++i)

@@ -78,8 +78,8 @@ Words words_of_german() {
     static TempFolder const folder;
     static bool const is_there =
         std::filesystem::exists("/usr/share/i18n/locales/de_DE") &&
-        run_command("/usr/bin/localedef", {"-f", "UTF-8", "-i", "de_DE", folder / "de_DE.UTF-8"}, "/").exit_code == 0;
-    return is_there ? Words{"LC_ALL=de_DE.UTF-8", "LOCPATH=" + folder.path().string()} : Words{};
+        run_command("/usr/bin/localedef", {"-f", "ISO-8859-1", "-i", "de_DE", folder / "de_DE"}, "/").exit_code == 0;
+    return is_there ? Words{"LC_ALL=de_DE", "LOCPATH=" + folder.path().string()} : Words{};
 }
 
 bool may_place_addresses() {

@@ -43,6 +43,13 @@ FifoChoice FifoFreedom::at_depth(std::uint64_t depth) const {
     return {resolved_kind(kind, depth, bits, generation), depth, generation};
 }
 
+FifoChoice deepest_alike(FifoChoice const& choice, FifoFreedom const& fifo, CostWeights const& weights) {
+    for (Range const& range : ranges_of(fifo, most_depth))
+        if (range.kind == choice.kind)
+            return {choice.kind, deepest_at_cost(range, choice.depth, fifo, weights), choice.generation};
+    return choice;
+}
+
 FifoChoice FifoFreedom::with_capacity(FifoKind resolved, std::uint64_t capacity) const {
     return {resolved, capacity - tokens_beyond_depth(resolved, generation), generation};
 }

@@ -43,6 +43,8 @@ struct FifoFreedom {
 
 FifoFreedom freedom_of(MachineFifo const& fifo);
 Primitives primitives_of(FifoChoice const& choice, FifoFreedom const& fifo, CostWeights const& weights);
+/// The deepest of that kind which the primitives of `choice` hold.
+FifoChoice deepest_alike(FifoChoice const& choice, FifoFreedom const& fifo, CostWeights const& weights);
 
 /// All FIFOs of a core by their numbers.
 using Freedoms = std::vector<FifoFreedom>;

@@ -20,18 +20,10 @@ SizedChoice sized(Choice const& choice, Cycles total_cycles, FifoFrame const& fr
 }
 
 /// The deepest that the primitives of an answer hold.
-Choice holding(Choice choice, FifoFrame const& frame) {
-    for (std::size_t i = 0; i < choice.size(); ++i) {
-        auto const same_primitives = [&](std::uint64_t depth) {
-            FifoChoice const deeper = frame.freedoms[i].at_depth(depth);
-            return deeper.kind == choice[i].kind && primitives_of(deeper, frame.freedoms[i], frame.weights) ==
-                                                        primitives_of(choice[i], frame.freedoms[i], frame.weights);
-        };
-        std::uint64_t deepest = choice[i].depth;
-        while (deepest < most_depth && same_primitives(deepest + 1))
-            ++deepest;
-        choice[i].depth = deepest;
-    }
+Choice holding(Choice choice, Sizing const& sizing) {
+    Freedoms const freedoms = freedoms_of(sizing.machine);
+    for (std::size_t const i : fifos_of(sizing.machine))
+        choice[i] = deepest_alike(choice[i], freedoms[i], sizing.options.weights);
     return choice;
 }
 
@@ -137,7 +129,7 @@ Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, Sizin
     sizing.is_proven = found.is_proven;
     sizing.is_given_up = found.is_given_up;
     sizing.least_cost = found.least_cost;
-    sizing.holds = holding(found.choice, frame);
+    sizing.holds = holding(found.choice, sizing);
     if (!times.is_monotone())
         sizing.holds_cycles = times.total_cycles(sizing.holds, options.jobs);
 

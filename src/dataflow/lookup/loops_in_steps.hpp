@@ -8,19 +8,9 @@
 
 namespace dataflow::timing {
 
-/// Speed: an iteration of a loop that reads and writes accesses some ports in its first step, and all others a number
-/// of steps later, the *lag*. So each step does what one iteration does at once and an earlier one does late. Told step
-/// by step, it is a loop without a delay line, whose steps access all their ports at once; what is left of the last
-/// iterations is steps behind them:
-///
-///     iteration     0   1   2   3                       step    0   1   2   3   4   5
-///     reads         v   v   .   .                       reads   v   v   .   .
-///     writes        a   .   b   c   2 steps later  ->   writes          a   .   b   c
-///
-/// Where the initiation interval is not 1, the late accesses may come some steps behind the early ones, within the same
-/// interval. Then the early ones are a step of their own in front of an iteration that does the late ones.
-///
-/// Cycles and figures are the same. Rewrites what one process is told of such loops.
+/// Speed: tells loops that read and write step by step (docs/how-it-is-fast.md#loops-of-steps), as loops without a
+/// delay line, whose steps access all their ports at once. Cycles and figures are the same. Rewrites what one process
+/// is told of such loops.
 class LoopsInSteps {
   public:
     /// Null: the process has no such loop, or may do what needs its loops as they are. Otherwise the process has loops

@@ -55,15 +55,10 @@ class TargetBoxes {
     void add_annotated() {
         for (bop::Target const& target : data_.dataset.targets) {
             bop::DatasetImage const& image = bop::sound(*data_.dataset.find(target.image));
-            for (bop::GroundTruth const* const object : poses::most_visible(data_.dataset, target))
-                if (!object->is_hidden())
-                    data_.boxes[{target.image, target.obj_id}].push_back(
-                        {image.id,
-                         object->obj_id,
-                         annotated_box(*object, mesh(object->obj_id), image.camera),
-                         confidence_,
-                         -1,
-                         {}});
+            for (bop::Detection& box : annotated_boxes(
+                     poses::most_visible(data_.dataset, target), image.id, image.camera,
+                     [this](int obj_id) -> Mesh const& { return mesh(obj_id); }, confidence_))
+                data_.boxes[{target.image, target.obj_id}].push_back(std::move(box));
         }
     }
 

@@ -13,7 +13,6 @@
 #include "faster/workload/object_pose.hpp"
 #include "poses/bop/detections.hpp"
 #include "poses/bop/read_dataset.hpp"
-#include "poses/judging/counted_poses.hpp"
 
 namespace faster {
 
@@ -121,17 +120,21 @@ bop::Target target_of(bop::Dataset const& dataset, bop::ImageId image, int obj_i
     return {image, obj_id, std::numeric_limits<int>::max()};
 }
 
+/// Of what is visible, or of all of it, or else what the pose says.
+bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera) {
+    if (object.visible_box)
+        return *object.visible_box;
+    return object.box ? *object.box : bop::projected_box(mesh, object.pose, camera);
+}
+
 /// All detections of the object in the image, or the annotated boxes of what is to be found.
 std::vector<bop::Detection> boxes_in(bop::DatasetImage const& image, poses::Truths const& truths, Mesh const& mesh,
                                      Camera const& camera, BopRequest const& request, double confidence,
                                      std::vector<std::string>& warnings) {
+    if (request.detections.empty())
+        return annotated_boxes(
+            truths, image.id, camera, [&](int) -> Mesh const& { return mesh; }, confidence);
     std::vector<bop::Detection> boxes;
-    if (request.detections.empty()) {
-        for (bop::GroundTruth const* const object : truths)
-            if (!object->is_hidden())
-                boxes.push_back({image.id, object->obj_id, annotated_box(*object, mesh, camera), confidence, -1});
-        return boxes;
-    }
     for (bop::Detection const& detection : bop::read_detections(request.detections, warnings))
         if (detection.obj_id == request.object() && detection.image == image.id)
             boxes.push_back(bop::sound(detection));
@@ -196,10 +199,14 @@ bool overlaps(bop::ImageBox const& box, Camera const& camera) {
     return estimation::overlaps({box.left, box.top, box.width, box.height, 0}, camera.width, camera.height);
 }
 
-bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera) {
-    if (object.visible_box)
-        return *object.visible_box;
-    return object.box ? *object.box : bop::projected_box(mesh, object.pose, camera);
+std::vector<bop::Detection> annotated_boxes(poses::Truths const& objects, bop::ImageId image, Camera const& camera,
+                                            std::function<Mesh const&(int obj_id)> const& mesh, double confidence) {
+    std::vector<bop::Detection> boxes;
+    for (bop::GroundTruth const* const object : objects)
+        if (!object->is_hidden())
+            boxes.push_back(
+                {image, object->obj_id, annotated_box(*object, mesh(object->obj_id), camera), confidence, -1});
+    return boxes;
 }
 
 estimation::Scene dataset_scene(LoadedConfig const& loaded, bop::Dataset const& dataset, bop::Target const& target,

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "faster/dataflow_names.hpp"
 #include "poses/bop/detections.hpp"
 #include "poses/estimation/scene.hpp"
+#include "poses/judging/counted_poses.hpp"
 
 namespace faster {
 
@@ -48,8 +50,10 @@ std::optional<double> unit_of_models(std::string const& name);
 /// The dataset of a request.
 bop::Dataset dataset_of(BopRequest const& request);
 
-/// The annotated box of what is visible, or of all of it, or else what the pose says.
-bop::ImageBox annotated_box(bop::GroundTruth const& object, Mesh const& mesh, Camera const& camera);
+/// The annotated boxes of objects in an image, but for hidden ones: of what is visible, or of all of it, or else what
+/// the pose says. `camera`: of the image; `mesh`: of an object.
+std::vector<bop::Detection> annotated_boxes(poses::Truths const& objects, bop::ImageId image, Camera const& camera,
+                                            std::function<Mesh const&(int obj_id)> const& mesh, double confidence);
 
 /// Whether some pixel of a camera's image lies in a box.
 bool overlaps(bop::ImageBox const& box, Camera const& camera);

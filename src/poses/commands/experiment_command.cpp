@@ -49,6 +49,7 @@ struct ExperimentRequest {
     std::size_t failures = 8;  ///< pictures of a setting
 };
 constexpr std::size_t most_failures = 10000;
+constexpr double certain = 1;  // of whoever annotates
 
 namespace fs = std::filesystem;
 
@@ -97,9 +98,10 @@ class AnnotatedBoxes {
   private:
     std::vector<bop::ImageBox> of(poses::Truths const& objects, bop::Target const& target) {
         std::vector<bop::ImageBox> boxes;
-        for (bop::GroundTruth const* const object : objects)
-            if (!object->is_hidden())
-                boxes.push_back(annotated_box(*object, mesh(object->obj_id), dataset_.find(target.image)->camera));
+        for (bop::Detection const& annotated : annotated_boxes(
+                 objects, target.image, dataset_.find(target.image)->camera,
+                 [this](int obj_id) -> Mesh const& { return mesh(obj_id); }, certain))
+            boxes.push_back(annotated.box);
         return boxes;
     }
 

@@ -21,6 +21,9 @@ struct CostWeights {
     double luts_per_ramb36 = xczu9eg.has.lut / xczu9eg.has.ramb36;
 };
 
+/// Below it costs are the same [LUTs]: they are sums of a few hundred thousand at most.
+constexpr double cost_rounding = 1e-6;
+
 /// In LUTs.
 double cost_of(Primitives const& primitives, CostWeights const& weights);
 

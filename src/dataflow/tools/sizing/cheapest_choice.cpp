@@ -4,8 +4,6 @@ namespace dataflow::sizing {
 
 namespace {
 
-constexpr double rounding = 1e-6;  // LUTs; costs are sums of a few hundred thousand at most
-
 /// What the branch at hand asks of a FIFO.
 struct Demand {
     std::uint64_t more_than = 0;  ///< tokens of capacity
@@ -49,7 +47,7 @@ class BranchAndBound {
     }
 
     void branch() {
-        if (best_ && cost_ >= best_cost_ - rounding)
+        if (best_ && cost_ >= best_cost_ - cost_rounding)
             return;
         Cut const* cut = open_cut();
         if (cut == nullptr) {

@@ -6,8 +6,6 @@ namespace dataflow::sizing {
 
 namespace {
 
-constexpr double cost_rounding = 1e-6;  // LUTs
-
 SearchOptions options_for(SearchOptions options, bool is_monotone) {
     options.has_repeatable_cuts = !is_monotone;
     return options;

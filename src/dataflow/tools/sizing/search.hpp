@@ -21,8 +21,8 @@ struct Found {
 
 struct SearchOptions {
     unsigned jobs = 1;
-    std::size_t most_retimings = 20000;  ///< cores retimed in all before a search settles for less than a proof
-    bool has_repeatable_cuts = false;    ///< the same whatever the threads do, as another search rests on them
+    std::size_t most_retimings = 0;    ///< cores retimed in all before a search settles for less than a proof
+    bool has_repeatable_cuts = false;  ///< the same whatever the threads do, as another search rests on them
 };
 
 /// Searches for the cheapest FIFOs. Keeps the cuts of earlier searches.

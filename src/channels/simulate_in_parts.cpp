@@ -119,7 +119,7 @@ std::string figures_of(DataflowAccelerator& accelerator, Part part, unsigned par
     for (std::size_t i = part.first; i < part.end; ++i) {
         timing::CoreTiming& timing = accelerator.cores()[i]->timing();
         timing.resolve();
-        if (!timing.waits().empty())
+        if (!timing.blocked().empty())
             throw PartFailed();
         std::optional<RunEnd> const end = run_end(accelerator.machine(), timing);
         own = std::max(own, end ? end->cycle + 1 : 0);

@@ -46,7 +46,7 @@ Cycles retimed_cycles(MachineSettings const& settings) {
         log.leave();
     }
     core->resolve();
-    REQUIRE(core->waits().empty());
+    REQUIRE(core->blocked().empty());
     return std::max(core->process(0).local_time(), core->process(1).local_time());
 }
 

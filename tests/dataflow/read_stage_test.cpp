@@ -336,7 +336,7 @@ class Timed {
 
     Outcome outcome() {
         Outcome outcome;
-        outcome.is_stuck = !core_.waits().empty();
+        outcome.is_stuck = !core_.blocked().empty();
         for (ProcessTiming const& process : core_.processes())
             outcome.ends.push_back(process.local_time());
         for (FifoTiming const& fifo : core_.fifos())
@@ -644,7 +644,7 @@ TEST_CASE("a deadlock of loops that read in later stages says who waits for whom
     cyclic.fifo_depth = 1;
     Timed timed(cyclic.design());
     timed.run_at_once();
-    std::vector<Wait> const waits = timed.core().waits();
+    std::vector<BlockedProcess> const waits = timed.core().blocked();
     REQUIRE(waits.size() == 2);
     CHECK(waits[0].process == "controller");
     CHECK(waits[0].to_write);

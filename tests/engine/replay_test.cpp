@@ -85,7 +85,7 @@ Asked replay_all(replay::ScriptSource const& source, replay::ScriptedRun const& 
     while (replay.go_on())
         core->let_walk();
     core->resolve();
-    asked.is_stuck = !core->waits().empty();
+    asked.is_stuck = !core->blocked().empty();
     for (timing::ProcessTiming const& process : core->processes())
         asked.ends.push_back(process.local_time());
     return asked;

@@ -195,7 +195,7 @@ std::vector<std::uint64_t> figures_of(CoreTiming& core) {
     for (FifoTiming const& fifo : core.fifos())
         figures.insert(figures.end(), {fifo.writes(), fifo.reads(), fifo.full_stall_cycles(), fifo.empty_stall_cycles(),
                                        fifo.max_occupancy()});
-    for (Wait const& wait : core.waits())
+    for (BlockedProcess const& wait : core.blocked())
         figures.insert(figures.end(),
                        {wait.since, wait.occupancy, std::hash<std::string>{}(wait.position + wait.fifo)});
     return figures;

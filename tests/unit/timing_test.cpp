@@ -63,7 +63,7 @@ void run(CoreTiming& core, std::vector<ProcessTiming*> const& processes, bool on
         }
     }
     core.resolve();
-    REQUIRE(core.waits().empty());
+    REQUIRE(core.blocked().empty());
 }
 
 TEST_CASE("The largest occupancy of what is handed over without delay is that at the end of a cycle", "[timing]") {
@@ -209,7 +209,7 @@ TEST_CASE("A result that waits behind a flushing pipeline says so when everythin
     FlushingUnit machine(4, 1);
     machine.divide(9);
     machine.divide(11);
-    std::vector<Wait> const waits = machine.core.waits();
+    std::vector<BlockedProcess> const waits = machine.core.blocked();
     REQUIRE(waits.size() == 1);
     CHECK(waits[0].fifo == "out");
     CHECK(waits[0].to_write);
@@ -250,7 +250,7 @@ TEST_CASE("An unlimited FIFO is as one with room for everything, however far its
                     writer.log().step(bit(said), 5);
                 }
                 core.resolve();
-                REQUIRE(core.waits().empty());
+                REQUIRE(core.blocked().empty());
                 CHECK(tokens.writes() == 3 * count);
                 CHECK(tokens.reads() == 3 * count);
                 stamps.push_back(reader.stamps());
@@ -398,7 +398,7 @@ TEST_CASE("Accesses that nobody answers are waits, with both ends named", "[timi
     writer.log().step(bit(out), 3);
     writer.log().step(bit(out), 1);
     core.resolve();
-    std::vector<Wait> const waits = core.waits();
+    std::vector<BlockedProcess> const waits = core.blocked();
     REQUIRE(waits.size() == 1);
     CHECK(waits[0].process == "writer");
     CHECK(waits[0].fifo == "fifo");

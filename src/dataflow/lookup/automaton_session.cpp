@@ -274,7 +274,7 @@ template <class Visit> void Automaton::go_back(Session const& session, Visit vis
 /// A follower's own time is that of the last transition that moved it; it only waited since.
 void Automaton::restore_stands(RelativeState& real) {
     std::vector<Session::Entry> found = session_->entry;
-    std::vector<std::vector<RelativeState::Wait>> waits(found.size());
+    std::vector<std::vector<RelativeState::EarlierWait>> waits(found.size());
     std::uint32_t missing_since = (1U << (found.size() + 1)) - 2;
     std::uint32_t missing_arrival = missing_since;
     auto const take = [&](Stand const& stand, Cycles time) {

@@ -19,7 +19,7 @@ void RelativeState::charge(unsigned member, unsigned port, Cycles cycles) {
 }
 
 void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycles since,
-                           std::vector<Wait> const& waits) {
+                           std::vector<EarlierWait> const& waits) {
     ProcessTiming::View const p = view(member);
     if (process(member).flushes()) {  // its bubbles are over, whatever comes
         port != no_port ? p.waits_since(arrival) : p.arrived(arrival);
@@ -32,7 +32,8 @@ void RelativeState::unpark(unsigned member, unsigned port, Cycles arrival, Cycle
         charge(member, waits[i].port, (i + 1 < waits.size() ? waits[i + 1].until : arrival) - waits[i].until);
     std::uint32_t const last = port != no_port ? (1U << port) - 1U : waits.empty() ? 0 : (2U << waits[0].port) - 1U;
     for_each_bit(next_ports(member) & last, [&](unsigned number) {
-        auto const wait = std::find_if(waits.begin(), waits.end(), [&](Wait const& w) { return w.port == number; });
+        auto const wait =
+            std::find_if(waits.begin(), waits.end(), [&](EarlierWait const& w) { return w.port == number; });
         make_legal(member, number, wait != waits.end() ? wait->until : arrival);
     });
     p.state().time = arrival;

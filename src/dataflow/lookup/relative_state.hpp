@@ -47,13 +47,13 @@ class RelativeState {
     std::uint64_t iterations(unsigned member) const { return process(member).iterations(); }
     void set_iterations(unsigned member, std::uint64_t iterations) { process(member).set_iterations(iterations); }
     /// What a follower waited for before that, in the step it is at.
-    struct Wait {
+    struct EarlierWait {
         unsigned port;
         Cycles until;
     };
     /// Moves a follower back to when it arrived at its step, where it waits for a port since a cycle. Of the waits
     /// before that, the latest is first.
-    void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since, std::vector<Wait> const& waits);
+    void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since, std::vector<EarlierWait> const& waits);
     /// Cycles from which on there is room in FIFO `f`, and how to set them: see Automaton on frozen writers.
     std::vector<Cycles> room_times(unsigned fifo) const;
     void set_room_time(unsigned fifo, std::uint64_t i, Cycles cycle);

@@ -189,9 +189,9 @@ std::string CoreTiming::name_at_other_end(ProcessTiming const& process, unsigned
     return other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();
 }
 
-std::vector<Wait> CoreTiming::waits() {
+std::vector<BlockedProcess> CoreTiming::blocked() {
     connect();
-    std::vector<Wait> waits;
+    std::vector<BlockedProcess> blocked;
     for (ProcessTiming& process : processes_) {
         ProcessTiming::Status const status = process.front();
         bool const starving = status == ProcessTiming::Status::exhausted && process.starving_port() >= 0;
@@ -201,20 +201,20 @@ std::vector<Wait> CoreTiming::waits() {
                               : starving               ? process.starved_port()
                                                        : process.missing_port();
         FifoTiming const& fifo = process.fifo(port);
-        Wait wait;
-        wait.process = process.name();
-        wait.position = process.position();
-        wait.fifo = fifo.name();
-        wait.to_write = process.writes(port);
-        wait.occupancy = std::min(fifo.writes() - fifo.reads(), fifo.shape().capacity);
-        wait.capacity = fifo.shape().capacity;
-        wait.since = process.waiting_since();
-        wait.site = process.site_at_hand(port);
-        wait.for_memory = fifo.is_stream();
-        wait.other = name_at_other_end(process, port);
-        waits.push_back(wait);
+        BlockedProcess one;
+        one.process = process.name();
+        one.position = process.position();
+        one.fifo = fifo.name();
+        one.to_write = process.writes(port);
+        one.occupancy = std::min(fifo.writes() - fifo.reads(), fifo.shape().capacity);
+        one.capacity = fifo.shape().capacity;
+        one.since = process.waiting_since();
+        one.site = process.site_at_hand(port);
+        one.for_memory = fifo.is_stream();
+        one.other = name_at_other_end(process, port);
+        blocked.push_back(one);
     }
-    return waits;
+    return blocked;
 }
 
 }  // namespace dataflow::timing

@@ -11,7 +11,7 @@
 namespace dataflow::timing {
 
 /// One process that cannot go on, and why.
-struct Wait {
+struct BlockedProcess {
     std::string process;
     std::string position;
     std::string fifo;
@@ -96,7 +96,7 @@ class CoreTiming {
     Ends const& ends(unsigned process, unsigned port) const { return ends_[number_of(processes_[process].fifo(port))]; }
 
     /// The processes with operations left, in order; call after resolve(). Empty unless the core is stuck.
-    std::vector<Wait> waits();
+    std::vector<BlockedProcess> blocked();
 
   protected:
     // What a core that remembers answers does in its own way.

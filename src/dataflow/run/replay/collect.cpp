@@ -190,8 +190,9 @@ void add_unfinished(FinishedCore const& core, std::uint64_t index, RunStatistics
         run.unfinished.push_back({core.share.first + done, index, begins[done], run.deadlock_cycle(), {}});
 }
 
-void add_stuck(std::vector<timing::Wait> const& waits, std::uint64_t index, std::vector<StuckProcess>& stuck) {
-    for (timing::Wait const& wait : waits)
+void add_stuck(std::vector<timing::BlockedProcess> const& waits, std::uint64_t index,
+               std::vector<StuckProcess>& stuck) {
+    for (timing::BlockedProcess const& wait : waits)
         stuck.push_back({index, wait.process, wait.position, wait.fifo, wait.to_write, wait.occupancy, wait.capacity,
                          wait.since, wait.other, wait.for_memory,
                          *wait.site.file == '\0' ? std::string()
@@ -199,7 +200,8 @@ void add_stuck(std::vector<timing::Wait> const& waits, std::uint64_t index, std:
 }
 
 /// Lookups charge a flushing pipeline ahead with the bubbles before its next token, which does not come here.
-void take_back_bubbles(timing::CoreTiming const& core, timing::Wait const& wait, std::vector<FifoStatistics>& fifos) {
+void take_back_bubbles(timing::CoreTiming const& core, timing::BlockedProcess const& wait,
+                       std::vector<FifoStatistics>& fifos) {
     for (timing::ProcessTiming const& process : core.processes())
         for (unsigned port = 0; port < process.port_count(); ++port)
             if (process.flushes() && process.name() == wait.process && process.fifo(port).name() == wait.fifo)
@@ -232,11 +234,11 @@ RunStatistics collect(std::vector<FinishedCore> const& cores, Machine const& mac
     run.machine = machine;
     for (FinishedCore const& core : cores) {
         auto const index = static_cast<std::uint64_t>(run.cores.size());
-        std::vector<timing::Wait> const waits = core.timing.waits();
+        std::vector<timing::BlockedProcess> const waits = core.timing.blocked();
         add_stuck(waits, index, run.stuck);
         add_samples(core, index, machine, run.samples);
         run.cores.push_back(core_statistics(core, machine));
-        for (timing::Wait const& wait : waits)
+        for (timing::BlockedProcess const& wait : waits)
             if (!wait.to_write)
                 take_back_bubbles(core.timing, wait, run.cores.back().fifos);
         run.total_cycles = std::max(run.total_cycles, run.cores.back().end_cycle);

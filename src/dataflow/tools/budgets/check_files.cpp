@@ -26,25 +26,25 @@ Json whole_or_null(std::optional<double> const& bound) {
     return bound ? Json(static_cast<std::int64_t>(*bound)) : Json(nullptr);
 }
 
-Json comparison_row(Comparison const& comparison) {
-    return {{"figure", comparison.figure},
-            {"measured", comparison.measured},
-            {"at_least", whole_or_null(comparison.allowed.lower)},
-            {"at_most", whole_or_null(comparison.allowed.upper)},
-            {"margin", comparison.margin},
-            {"percent", or_null(comparison.percent)}};
+Json check_row(FigureCheck const& check) {
+    return {{"figure", check.figure},
+            {"measured", check.measured},
+            {"at_least", whole_or_null(check.allowed.lower)},
+            {"at_most", whole_or_null(check.allowed.upper)},
+            {"margin", check.margin},
+            {"percent", or_null(check.percent)}};
 }
 
 Json limit_row(Verdict const& verdict) {
     Json breaches = Json::array();
-    for (Comparison const& breach : verdict.breaches)
-        breaches.push_back(comparison_row(breach));
+    for (FigureCheck const& breach : verdict.breaches)
+        breaches.push_back(check_row(breach));
     return {{"figure", verdict.limit.figure},
             {"line", verdict.limit.line},
             {"limit", verdict.limit.text()},
             {"matches", verdict.matches},
             {"passed", verdict.breaches.empty()},
-            {"tightest", comparison_row(verdict.tightest)},
+            {"tightest", check_row(verdict.tightest)},
             {"breaches", breaches}};
 }
 
@@ -99,7 +99,7 @@ std::string since_baseline(CheckResult const& result) {
 
 std::string failed_limit(CheckResult const& result, Verdict const& verdict) {
     std::string text;
-    for (Comparison const& breach : verdict.breaches)
+    for (FigureCheck const& breach : verdict.breaches)
         text += breach_text(verdict.limit, breach) + "\n";
     return fmt::format("      <failure type=\"breach\" message=\"{}\">{}</failure>\n",
                        xml_text(breach_text(verdict.limit, verdict.tightest)), xml_text(text + since_baseline(result)));

@@ -31,7 +31,7 @@ constexpr std::size_t most_breaches = 5;
 using Row = std::array<std::string, 6>;
 
 Row row_of(Verdict const& verdict) {
-    Comparison const& tightest = verdict.tightest;
+    FigureCheck const& tightest = verdict.tightest;
     std::string place = verdict.matches > 1 ? tightest.figure : "";
     if (verdict.matches > 1)
         place += verdict.breaches.empty() ? fmt::format(" of {}", verdict.matches)
@@ -115,7 +115,7 @@ std::string limit_text(Limit const& limit, Interval const& allowed) {
     return says_all ? limit.text() : limit.text() + " = " + interval_text(allowed);
 }
 
-std::string breach_text(Limit const& limit, Comparison const& breach) {
+std::string breach_text(Limit const& limit, FigureCheck const& breach) {
     bool const above = breach.allowed.upper && static_cast<double>(breach.measured) > *breach.allowed.upper;
     return fmt::format("{} = {}, expected {}: {}{} {}", breach.figure, grouped(breach.measured),
                        limit_text(limit, breach.allowed), grouped(static_cast<std::uint64_t>(std::abs(breach.margin))),

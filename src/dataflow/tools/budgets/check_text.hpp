@@ -11,7 +11,7 @@ namespace dataflow::budgets {
 std::string limit_text(Limit const& limit, Interval const& allowed);
 
 /// One sentence on a breach: "samples.3.latency_cycles = 5112, expected exact baseline = 5110: 2 cycles above".
-std::string breach_text(Limit const& limit, Comparison const& breach);
+std::string breach_text(Limit const& limit, FigureCheck const& breach);
 
 /// A result for people: a table of limits, and after a breach what moved since the baseline. Figures only, no host
 /// times: equal runs print equal text.

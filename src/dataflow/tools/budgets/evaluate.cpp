@@ -53,16 +53,16 @@ std::optional<double> percent_of(double margin, double bound) {
     return bound == 0 ? std::nullopt : std::optional(100 * margin / bound);
 }
 
-Comparison compare(Figure const& figure, Interval const& allowed) {
+FigureCheck checked(Figure const& figure, Interval const& allowed) {
     auto const measured = static_cast<double>(figure.value);
-    Comparison comparison{figure.name, figure.value, allowed, 0, std::nullopt};
+    FigureCheck check{figure.name, figure.value, allowed, 0, std::nullopt};
     bool const upper_is_nearer =
         !allowed.lower || (allowed.upper && *allowed.upper - measured <= measured - *allowed.lower);
     double const bound = upper_is_nearer ? *allowed.upper : *allowed.lower;
     double const margin = upper_is_nearer ? bound - measured : measured - bound;
-    comparison.margin = static_cast<std::int64_t>(margin);
-    comparison.percent = percent_of(margin, bound);
-    return comparison;
+    check.margin = static_cast<std::int64_t>(margin);
+    check.percent = percent_of(margin, bound);
+    return check;
 }
 
 /// A sample or core that is gone must not pass unnoticed.
@@ -98,11 +98,11 @@ Verdict judge(Budget const& budget, Limit const& limit, Measurement const& measu
             continue;
         Interval const allowed = allowed_for(figure, budget, limit, measurement.clock_mhz, baseline);
         all_limits.narrow(figure.name, allowed, limit);
-        Comparison const comparison = compare(figure, allowed);
-        if (verdict.matches++ == 0 || comparison.margin < verdict.tightest.margin)
-            verdict.tightest = comparison;
-        if (comparison.is_breached())
-            verdict.breaches.push_back(comparison);
+        FigureCheck const check = checked(figure, allowed);
+        if (verdict.matches++ == 0 || check.margin < verdict.tightest.margin)
+            verdict.tightest = check;
+        if (check.is_breached())
+            verdict.breaches.push_back(check);
     }
     if (verdict.matches == 0)
         fail(budget, limit,

@@ -11,7 +11,7 @@
 namespace dataflow::budgets {
 
 /// One figure against its limit.
-struct Comparison {
+struct FigureCheck {
     std::string figure;
     std::uint64_t measured = 0;
     Interval allowed;
@@ -24,9 +24,9 @@ struct Comparison {
 /// One limit against all figures that it matches, at least one.
 struct Verdict {
     Limit limit;
-    Comparison tightest;  ///< of those with the smallest margin, the first
+    FigureCheck tightest;  ///< of those with the smallest margin, the first
     std::size_t matches = 0;
-    std::vector<Comparison> breaches;
+    std::vector<FigureCheck> breaches;
 };
 
 /// Compares a finished run with a budget's limits, in the order of the file. `baseline` is what limits refer to. Throws

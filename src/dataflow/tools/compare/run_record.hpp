@@ -17,10 +17,10 @@ struct ConfigurationEntry {
 };
 
 /// How many of a module's cycles were of one class. Which classes there are is up to the run that wrote them.
-struct CycleClass {
+struct ClassCycles {
     std::string name;  ///< e.g. "busy_cycles"
     Cycles cycles = 0;
-    friend bool operator==(CycleClass const& a, CycleClass const& b) {
+    friend bool operator==(ClassCycles const& a, ClassCycles const& b) {
         return a.name == b.name && a.cycles == b.cycles;
     }
 };
@@ -28,7 +28,7 @@ struct CycleClass {
 struct ModuleRecord {
     std::uint64_t core = 0;
     std::string module;
-    std::vector<CycleClass> classes;
+    std::vector<ClassCycles> classes;
 
     std::string name() const { return module; }
     friend bool operator==(ModuleRecord const& a, ModuleRecord const& b) {

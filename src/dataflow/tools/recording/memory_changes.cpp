@@ -5,7 +5,7 @@
 
 namespace dataflow::recording {
 
-MemoryChanges::MemoryChanges(RecordedMemory const& memory) : memory_(memory), ports_(memory.shape.ports) {
+MemoryChanges::MemoryChanges(RecordedBursts const& memory) : memory_(memory), ports_(memory.shape.ports) {
     for (std::size_t port = 0; port < ports_.size(); ++port)
         ports_[port].bytes = memory.bytes_before[port];
 }
@@ -61,7 +61,7 @@ std::size_t MemoryChanges::go_on() {
     return ports_.size();
 }
 
-MemorySignals::MemorySignals(Waveform& waveform, RecordedMemory const& memory, std::size_t domain)
+MemorySignals::MemorySignals(Waveform& waveform, RecordedBursts const& memory, std::size_t domain)
     : waveform_(waveform), changes_(memory) {
     waveform_.open_scope("memory");
     for (std::size_t port = 0; port < changes_.ports().size(); ++port) {

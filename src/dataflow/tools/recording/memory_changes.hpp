@@ -24,7 +24,7 @@ class MemoryChanges {
     };
 
     /// `memory` must outlive it.
-    explicit MemoryChanges(RecordedMemory const& memory);
+    explicit MemoryChanges(RecordedBursts const& memory);
 
     /// ~0: there are none left.
     Cycles next_cycle() const;
@@ -47,7 +47,7 @@ class MemoryChanges {
     };
     void take_up(timing::ServedBurst const& burst);
 
-    RecordedMemory const& memory_;
+    RecordedBursts const& memory_;
     std::size_t next_ = 0;  ///< burst that has not been asked for
     std::priority_queue<Change, std::vector<Change>, std::greater<>> changes_;
     std::vector<Port> ports_;
@@ -58,7 +58,7 @@ class MemoryChanges {
 class MemorySignals {
   public:
     /// `memory` must outlive it.
-    MemorySignals(Waveform& waveform, RecordedMemory const& memory, std::size_t domain);
+    MemorySignals(Waveform& waveform, RecordedBursts const& memory, std::size_t domain);
 
     /// ~0: nothing changes any more.
     Cycles next_change() const { return changes_.next_cycle(); }

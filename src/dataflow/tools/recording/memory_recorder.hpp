@@ -9,7 +9,7 @@
 namespace dataflow::recording {
 
 /// What was recorded of an external memory.
-struct RecordedMemory {
+struct RecordedBursts {
     timing::ExternalMemory shape;
     std::deque<timing::ServedBurst> bursts;   ///< in the order of asking
     std::vector<std::uint64_t> bytes_before;  ///< by port: of bursts before those
@@ -29,12 +29,12 @@ class MemoryRecorder {
              bursts.pop_front())
             memory_.bytes_before[bursts.front().port] += bursts.front().beats * memory_.shape.port_bytes;
     }
-    RecordedMemory const& recorded() const { return memory_; }
+    RecordedBursts const& recorded() const { return memory_; }
 
   private:
     Picoseconds ps_of(Cycles cycle) const { return Picoseconds{cycle} * memory_.shape.period_ps; }
 
-    RecordedMemory memory_;
+    RecordedBursts memory_;
 };
 
 }  // namespace dataflow::recording

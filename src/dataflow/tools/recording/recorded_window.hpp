@@ -9,7 +9,7 @@ namespace dataflow::recording {
 /// What was recorded of a window of a run. The events of its cores can be gone through once.
 struct RecordedWindow {
     std::vector<RecordedCore> cores;
-    RecordedMemory const* memory = nullptr;  ///< that the cores share; null: none
+    RecordedBursts const* memory = nullptr;  ///< that the cores share; null: none
 
     /// First and last cycle in which something was recorded; 0 if there are no cores.
     Cycles from() const;

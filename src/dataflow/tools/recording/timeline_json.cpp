@@ -16,7 +16,7 @@ namespace {
 
 class Maker {
   public:
-    Maker(RecordedMemory const& memory, Cycles from, Cycles to, Cycles grain)
+    Maker(RecordedBursts const& memory, Cycles from, Cycles to, Cycles grain)
         : changes_(memory),
           from_(from),
           to_(to),
@@ -199,7 +199,7 @@ class TimelineWriter {
 
 }  // namespace
 
-MemoryTimeline make_memory_timeline(RecordedMemory const& memory, Cycles from, Cycles to, std::size_t most) {
+MemoryTimeline make_memory_timeline(RecordedBursts const& memory, Cycles from, Cycles to, std::size_t most) {
     for (Cycles grain = 64;; grain *= 2) {
         MemoryTimeline timeline = Maker(memory, from, to, grain).make();
         if (size_of(timeline) <= most)

@@ -27,7 +27,7 @@ struct MemoryTimeline {
 };
 
 /// From cycle `from` to `to`, both included. With at most so many spans and points, or nearly so.
-MemoryTimeline make_memory_timeline(RecordedMemory const& memory, Cycles from, Cycles to, std::size_t most);
+MemoryTimeline make_memory_timeline(RecordedBursts const& memory, Cycles from, Cycles to, std::size_t most);
 
 /// Timelines in the Trace Event Format, which Perfetto and chrome://tracing open. Slices of a track are one inside the
 /// other or apart, which Perfetto insists on.

@@ -157,7 +157,7 @@ bool CoreTimes::is_same(Choice const& choice, CoreChoice const& place, Known con
 }
 
 Cycles CoreTimes::end_of(timing::CoreTiming& core, std::size_t number) const {
-    if (!core.waits().empty())
+    if (!core.blocked().empty())
         return Cut::deadlock;
     auto const is_left = [&](timing::FifoTiming const& fifo) {
         return fifo.writes() != fifo.reads() && !machine_.fifos[core.number_of(fifo)].may_keep_tokens;

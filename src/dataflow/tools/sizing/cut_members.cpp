@@ -29,10 +29,10 @@ Members those_that_hold_up(Members const& members) {
 }
 
 /// The processes that wait for each other in a circle; others may only wait for these.
-std::vector<timing::Wait> circle_of(std::vector<timing::Wait> const& waits) {
-    std::vector<timing::Wait> chain;
+std::vector<timing::BlockedProcess> circle_of(std::vector<timing::BlockedProcess> const& waits) {
+    std::vector<timing::BlockedProcess> chain;
     for (std::string next = waits.front().process;;) {
-        auto const waits_there = [&next](timing::Wait const& wait) { return wait.process == next; };
+        auto const waits_there = [&next](timing::BlockedProcess const& wait) { return wait.process == next; };
         auto const seen = std::find_if(chain.begin(), chain.end(), waits_there);
         if (seen != chain.end())
             return {seen, chain.end()};
@@ -65,7 +65,7 @@ Members members_of_path(timing::CoreTiming const& core, RunEnd const& end) {
 
 Members members_of_deadlock(timing::CoreTiming& core) {
     Members members(core.fifos().size());
-    for (timing::Wait const& wait : circle_of(core.waits()))
+    for (timing::BlockedProcess const& wait : circle_of(core.blocked()))
         for (std::size_t i = 0; i < members.size(); ++i)
             if (wait.to_write && wait.fifo == core.fifos()[i].name())
                 members[i].capacity = wait.capacity;

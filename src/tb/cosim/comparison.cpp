@@ -62,7 +62,7 @@ class Comparison {
           progress_(progress),
           maps_(maps),
           settings_(settings),
-          twin_(settings, stimulus, share.first, share.count),
+          twin_(make_twin(settings, stimulus, share.first, share.count)),
           built_(share.first),
           drawn_(share.first),
           model_tokens_(model.machine->fifos.size()),
@@ -105,15 +105,15 @@ class Comparison {
     }
 
     void take_cycle() {
-        std::uint32_t const writes = twin_.writes();
-        std::uint32_t const reads = twin_.reads();
+        std::uint32_t const writes = twin_->writes();
+        std::uint32_t const reads = twin_->reads();
         if ((writes | reads | expected_.writes | expected_.reads) != 0)
             take_accesses(writes, reads);
         if (!compared_.difference)
             compare_maps();
         expected_.writes = expected_.reads = 0;
         auto const start = HostClock::now();
-        twin_.step();
+        twin_->step();
         compared_.twin_seconds += seconds_since(start);
         ++compared_.cycles;
         if (progress_ && compared_.cycles % told_cycles == 0)
@@ -176,7 +176,7 @@ class Comparison {
     recording::TokenValues written(std::size_t fifo) const {
         recording::TokenValues values(layouts_[fifo].size());
         for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = twin_.field(fifo, i);
+            values[i] = twin_->field(fifo, i);
         return values;
     }
 
@@ -206,17 +206,18 @@ class Comparison {
     }
 
     void compare_maps() {
-        if (twin_.maps_are_built()) {
+        if (twin_->maps_are_built()) {
             SampleMaps const* const maps = maps_.of(built_++);
             if (!settings_.is_inner_border)  // else there is no such memory
-                compare_map("edge_map", maps ? maps->edge_map.pixels() : std::vector<std::uint8_t>{}, twin_.edge_map());
+                compare_map("edge_map", maps ? maps->edge_map.pixels() : std::vector<std::uint8_t>{},
+                            twin_->edge_map());
             compare_map("object_map", maps ? maps->object_map.pixels() : std::vector<std::uint8_t>{},
-                        twin_.object_map());
+                        twin_->object_map());
         }
-        if (twin_.depth_buffer_is_drawn()) {
+        if (twin_->depth_buffer_is_drawn()) {
             SampleMaps const* const maps = maps_.of(drawn_++);
             compare_map("depth_buffer", maps ? maps->depth_buffer.pixels() : std::vector<std::uint16_t>{},
-                        twin_.depth_buffer());
+                        twin_->depth_buffer());
         }
     }
 
@@ -237,7 +238,7 @@ class Comparison {
     std::function<void(Cycles)> const& progress_;
     KeptMaps const& maps_;
     TwinSettings const& settings_;
-    TwinCore twin_;
+    std::unique_ptr<TwinCore> twin_;
     std::size_t built_;  ///< the sample whose maps come next
     std::size_t drawn_;
     std::vector<std::size_t> number_of_;          ///< in the twin, by the machine's number

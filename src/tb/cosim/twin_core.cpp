@@ -54,27 +54,7 @@ std::uint32_t valid_depths(Stimulus const& stimulus, SampleInput const& sample) 
     return count;
 }
 
-}  // namespace
-
-/// A verilated core, whichever.
-struct TwinCore::Parts {
-    virtual ~Parts() = default;
-    virtual void settle() = 0;
-    virtual void edge() = 0;
-    virtual void reset(bool value) = 0;
-    virtual std::uint32_t writes() const = 0;
-    virtual std::uint32_t reads() const = 0;
-    virtual std::int64_t field(std::size_t fifo, std::size_t number) const = 0;
-    virtual bool maps_are_built() const = 0;
-    virtual bool depth_buffer_is_drawn() const = 0;
-    virtual std::vector<std::uint8_t> edge_map() = 0;
-    virtual std::vector<std::uint8_t> object_map() = 0;
-    virtual std::vector<std::uint16_t> depth_buffer() = 0;
-};
-
-namespace {
-
-template <class Core> class Verilated : public TwinCore::Parts {
+template <class Core> class Verilated : public TwinCore {
   public:
     Verilated(TwinSettings const& settings, Stimulus const& stimulus, std::size_t first, std::size_t samples)
         : stimulus_(stimulus), first_(first), samples_(samples), window_(settings.window) {
@@ -83,25 +63,19 @@ template <class Core> class Verilated : public TwinCore::Parts {
     }
     ~Verilated() override { core_.final(); }
 
-    /// Answers what the registers ask for; then the logic of the cycle settles.
-    void settle() override {
-        if (core_.sample_number < samples_) {
-            SampleInput const& sample = stimulus_.samples[first_ + core_.sample_number];
-            core_.header_sample = static_cast<IData>(first_ + core_.sample_number);
-            core_.header_centre_row = static_cast<IData>(sample.centre_row);
-            core_.header_centre_col = static_cast<IData>(sample.centre_col);
-            core_.header_triangles = sample.triangle_count;
+    void start() {
+        core_.reset = true;
+        for (int cycle = 0; cycle < 2; ++cycle) {
+            settle();
+            edge();
         }
-        answer_vertex();
-        answer_observation();
-        core_.clock = 0;
-        core_.eval();
+        core_.reset = false;
+        settle();
     }
-    void edge() override {
-        core_.clock = 1;
-        core_.eval();
+    void step() override {
+        edge();
+        settle();
     }
-    void reset(bool value) override { core_.reset = value; }
     std::uint32_t writes() const override { return core_.fifo_write; }
     std::uint32_t reads() const override { return core_.fifo_read; }
     std::int64_t field(std::size_t fifo, std::size_t number) const override {
@@ -123,6 +97,24 @@ template <class Core> class Verilated : public TwinCore::Parts {
     Core core_{&context_};
 
   private:
+    /// Answers what the registers ask for; then the logic of the cycle settles.
+    void settle() {
+        if (core_.sample_number < samples_) {
+            SampleInput const& sample = stimulus_.samples[first_ + core_.sample_number];
+            core_.header_sample = static_cast<IData>(first_ + core_.sample_number);
+            core_.header_centre_row = static_cast<IData>(sample.centre_row);
+            core_.header_centre_col = static_cast<IData>(sample.centre_col);
+            core_.header_triangles = sample.triangle_count;
+        }
+        answer_vertex();
+        answer_observation();
+        core_.clock = 0;
+        core_.eval();
+    }
+    void edge() {
+        core_.clock = 1;
+        core_.eval();
+    }
     void answer_vertex() {
         if (core_.vertex_sample >= stimulus_.samples.size())
             return;
@@ -242,37 +234,20 @@ class LaneCoreTwin final : public Verilated<Vcosimulated_lane_core> {
     IData counted_sample_ = ~IData{0};
 };
 
+template <class Twin, class... Arguments> std::unique_ptr<TwinCore> started(Arguments const&... arguments) {
+    auto twin = std::make_unique<Twin>(arguments...);
+    twin->start();
+    return twin;
+}
+
 }  // namespace
 
 bool has_twin() { return true; }
 
-TwinCore::TwinCore(TwinSettings const& settings, Stimulus const& stimulus, std::size_t first, std::size_t samples) {
-    if (settings.lanes)
-        parts_ = std::make_unique<LaneCoreTwin>(settings, stimulus, first, samples);
-    else
-        parts_ = std::make_unique<RasterCoreTwin>(settings, stimulus, first, samples);
-    parts_->reset(true);
-    for (int cycle = 0; cycle < 2; ++cycle) {
-        parts_->settle();
-        parts_->edge();
-    }
-    parts_->reset(false);
-    parts_->settle();
-}
-TwinCore::~TwinCore() = default;
-
-std::uint32_t TwinCore::writes() const { return parts_->writes(); }
-std::uint32_t TwinCore::reads() const { return parts_->reads(); }
-std::int64_t TwinCore::field(std::size_t fifo, std::size_t number) const { return parts_->field(fifo, number); }
-bool TwinCore::maps_are_built() const { return parts_->maps_are_built(); }
-bool TwinCore::depth_buffer_is_drawn() const { return parts_->depth_buffer_is_drawn(); }
-std::vector<std::uint8_t> TwinCore::edge_map() const { return parts_->edge_map(); }
-std::vector<std::uint8_t> TwinCore::object_map() const { return parts_->object_map(); }
-std::vector<std::uint16_t> TwinCore::depth_buffer() const { return parts_->depth_buffer(); }
-
-void TwinCore::step() {
-    parts_->edge();
-    parts_->settle();
+std::unique_ptr<TwinCore> make_twin(TwinSettings const& settings, Stimulus const& stimulus, std::size_t first,
+                                    std::size_t samples) {
+    return settings.lanes ? started<LaneCoreTwin>(settings, stimulus, first, samples)
+                          : started<RasterCoreTwin>(settings, stimulus, first, samples);
 }
 
 }  // namespace faster::rtl

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <utility>
 
 namespace dataflow {
 
@@ -11,7 +12,9 @@ using TellProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// Counts pieces of work that several threads do, and tells of each, one at a time.
 class CountedProgress {
   public:
-    CountedProgress(std::size_t all, TellProgress const& tell) : all_(all), tell_(tell) {}
+    CountedProgress(std::size_t all, TellProgress tell) : all_(all), tell_(std::move(tell)) {}
+    /// Pieces that become known on the way. Not while threads work.
+    void expect(std::size_t more) { all_ += more; }
     void one_more() {
         std::lock_guard<std::mutex> const lock(mutex_);
         ++done_;
@@ -22,7 +25,7 @@ class CountedProgress {
   private:
     std::size_t all_;
     std::size_t done_ = 0;
-    TellProgress const& tell_;
+    TellProgress tell_;
     std::mutex mutex_;
 };
 

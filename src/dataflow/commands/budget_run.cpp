@@ -86,8 +86,7 @@ std::vector<processes::Outcome> run_budgets(std::vector<budgets::Budget> const& 
         tasks.push_back(
             {[&budget, &overrides] { return to_text(measure(budget, overrides)); }, time_limit_of(budget, request)});
     ProgressLine progress("budgets");
-    return processes::run_all(tasks, static_cast<std::size_t>(request.jobs), watch,
-                              [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
+    return processes::run_all(tasks, static_cast<std::size_t>(request.jobs), watch, progress.teller());
 }
 
 double time_limit_of(budgets::Budget const& budget, CheckRequest const& request) {

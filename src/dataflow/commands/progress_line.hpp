@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "dataflow/base/counted_progress.hpp"
 #include "dataflow/base/host_clock.hpp"
 
 namespace dataflow {
@@ -19,6 +20,10 @@ class ProgressLine {
     ProgressLine& operator=(ProgressLine const&) = delete;
 
     void show(std::uint64_t done, std::uint64_t all);
+    /// Shows what it is told; must not outlive this.
+    TellProgress teller() {
+        return [this](std::size_t done, std::size_t all) { show(done, all); };
+    }
 
   private:
     void show_on_terminal(std::uint64_t done, std::uint64_t all);

@@ -222,7 +222,7 @@ std::vector<double> write_waveform_files(RecordingRequest const& request, Machin
         files.push_back(std::make_unique<recording::FstFile>(request.fst, machine.clock_mhz));
     ProgressLine progress("cycles of the waveform");
     recording::write_waveform(files, machine, window, recording::SignalFilter(request.vcd_modules, machine),
-                              [&progress](Cycles done, Cycles all) { progress.show(done, all); });
+                              progress.teller());
     std::vector<double> bytes;
     for (auto const& file : files)
         bytes.push_back(static_cast<double>(file->bytes()));

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -71,14 +70,12 @@ std::vector<report::PackedTimeline> packed_timelines(replay::RecordedRun const& 
     if (samples.empty())
         return {};
     ProgressLine progress("timelines");
-    std::mutex mutex;
-    std::size_t done = 0;
+    CountedProgress done(samples.size(), progress.teller());
     std::size_t const bars = std::min(most_bars / samples.size(), most_bars_of_sample);
     std::vector<report::PackedTimeline> packed(samples.size());
     explore::replay_timelines(recorded, run.machine, samples, [&](std::size_t i, SampleTimeline timeline) {
         packed[i] = report::packed_timeline(run.machine, report::with_endless_waits(std::move(timeline), run), bars);
-        std::lock_guard<std::mutex> const lock(mutex);
-        progress.show(++done, samples.size());
+        done.one_more();
     });
     return packed;
 }
@@ -131,8 +128,7 @@ namespace fs = std::filesystem;
 
 std::vector<Sensitivity> work_out_sensitivities(replay::RecordedRun const& recorded, LoadedConfig const& loaded) {
     ProgressLine progress("retimings");
-    return replay::sensitivities(recorded, loaded,
-                                 [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
+    return replay::sensitivities(recorded, loaded, progress.teller());
 }
 
 /// Before the work whose results would be lost.

@@ -44,7 +44,7 @@ RunStatistics with_sensitivities(events::EventFile const& recorded, LoadedConfig
         throw InputError("with these settings the run deadlocks in cycle " + std::to_string(run.deadlock_cycle()) +
                          ", expected settings with which it ends");
     ProgressLine line("retimings");
-    auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
+    TellProgress const progress = line.teller();
     run.sensitivities = replay::sensitivities(recorded.run, loaded, progress);
     run.alternatives = replay::alternatives(recorded.run, loaded);
     replay::find_slack(recorded.run, loaded, run.total_cycles, run.sensitivities, progress);

@@ -60,9 +60,8 @@ double retimings_of(SizeFifosRequest const& request, Machine const& machine) {
 
 sizing::Sizing worked_out(SizeFifosRequest const& request, events::EventFile const& recorded, RunConfig const& config) {
     ProgressLine line("steps");
-    auto const progress = [&line](std::size_t done, std::size_t all) { line.show(done, all); };
     try {
-        return sizing::size_fifos(recorded.run, config, options_of(request), progress);
+        return sizing::size_fifos(recorded.run, config, options_of(request), line.teller());
     } catch (InputError const& error) {
         throw InputError(request.events + ": " + error.what());
     }

@@ -1,7 +1,6 @@
 #include "dataflow/tools/sizing/certificate.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 
 #include "dataflow/base/on_threads.hpp"
@@ -60,7 +59,6 @@ std::vector<CertificateRow> steps_down(FifoFrame const& frame, Choice const& cho
 void time_steps(Choice const& choice, Cycles bound, CoreTimes& times, unsigned jobs, std::vector<CertificateRow>& rows,
                 std::function<void()> const& done) {
     std::vector<std::size_t> const cores = latest_first(choice, times);
-    std::mutex mutex;
     on_threads(rows.size(), jobs, [&](std::size_t i) {
         Choice shallower = choice;
         shallower[rows[i].fifo] = rows[i].shallower;
@@ -68,7 +66,6 @@ void time_steps(Choice const& choice, Cycles bound, CoreTimes& times, unsigned j
             rows[i].core = cores[k];
             rows[i].core_cycles = times.cycles(cores[k], shallower);
         }
-        std::lock_guard<std::mutex> const lock(mutex);
         done();
     });
 }

@@ -23,7 +23,7 @@ struct CertificateRow {
 std::vector<CertificateRow> steps_down(FifoFrame const& frame, Choice const& choice);
 
 /// Looks for a core that breaks the bound in each, the one that ends last as they are first; `done` is told after each
-/// row, one at a time.
+/// row, by the thread that timed it.
 void time_steps(Choice const& choice, Cycles bound, CoreTimes& times, unsigned jobs, std::vector<CertificateRow>& rows,
                 std::function<void()> const& done);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
+#include "dataflow/base/counted_progress.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/run/config/design.hpp"
 
@@ -27,33 +28,15 @@ Choice holding(Choice choice, Sizing const& sizing) {
     return choice;
 }
 
-/// Counts steps, of which some become known on the way.
-class Steps {
-  public:
-    Steps(std::function<void(std::size_t, std::size_t)> const& progress, std::size_t expected)
-        : progress_(progress), expected_(expected) {}
-    void expect(std::size_t more) { expected_ += more; }
-    void done() {
-        ++done_;
-        if (progress_)
-            progress_(done_, expected_);
-    }
-
-  private:
-    std::function<void(std::size_t, std::size_t)> const& progress_;
-    std::size_t expected_;
-    std::size_t done_ = 0;
-};
-
 /// Takes every step down that is within the bound, until none is. Where times are monotone there is none.
-Found certified(Found found, RepairedSearch& search, CoreTimes& times, Sizing& sizing, Steps& steps) {
+Found certified(Found found, RepairedSearch& search, CoreTimes& times, Sizing& sizing, CountedProgress& steps) {
     FifoFrame const frame(sizing.machine, sizing.options.weights);
     auto const is_within = [&sizing](CertificateRow const& row) { return !row.breaks(sizing.bound); };
     for (;;) {
         std::vector<CertificateRow>& rows = sizing.certificate;
         rows = steps_down(frame, found.choice);
         steps.expect(rows.size());
-        time_steps(found.choice, sizing.bound, times, sizing.options.jobs, rows, [&] { steps.done(); });
+        time_steps(found.choice, sizing.bound, times, sizing.options.jobs, rows, [&] { steps.one_more(); });
         auto const row = std::find_if(rows.begin(), rows.end(), is_within);
         if (row == rows.end())
             return found;
@@ -103,13 +86,13 @@ Cycles bound_within(double percent, Cycles unbounded_cycles) {
 }
 
 Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, SizingOptions const& options,
-                  std::function<void(std::size_t, std::size_t)> const& progress) {
+                  TellProgress const& progress) {
     require_sense(options);
     Machine const machine = machine_of(config);
     require_sizable(machine);
     FifoFrame const frame(machine, options.weights);
     CoreTimes times(run, machine, options.before_retiming);
-    Steps steps(progress, steps_to_the_answer + (options.front_points > 0 ? options.front_points + 1 : 0));
+    CountedProgress steps(steps_to_the_answer + (options.front_points > 0 ? options.front_points + 1 : 0), progress);
     Sizing sizing;
     sizing.options = options;
     sizing.config = config;
@@ -117,13 +100,13 @@ Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, Sizin
     Unbounded const deep = unbounded(frame, times, options.jobs);
     sizing.unbounded = sized(deep.choice, deep.total_cycles, frame);
     sizing.bound = bound_within(options.within_percent, deep.total_cycles);
-    steps.done();
+    steps.one_more();
 
     RepairedSearch search(frame, times, deep, {options.jobs, options.most_retimings});
     Found found = search.cheapest(sizing.bound);
-    steps.done();
+    steps.one_more();
     found = search.shallowest(found, sizing.bound);
-    steps.done();
+    steps.one_more();
     found = certified(or_configured(found, search, times, sizing), search, times, sizing, steps);
     sizing.answer = sized(found.choice, found.total_cycles, frame);
     sizing.is_proven = found.is_proven;
@@ -137,7 +120,7 @@ Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, Sizin
     sizing.configured = sized(configured, times.total_cycles(configured, options.jobs), frame);
     if (options.front_points > 0)
         sizing.front =
-            front(frame, search, deep.total_cycles, sizing.bound, options.front_points, [&] { steps.done(); });
+            front(frame, search, deep.total_cycles, sizing.bound, options.front_points, [&] { steps.one_more(); });
     sizing.retimed_cores = times.retimed_cores();
     return sizing;
 }

@@ -5,7 +5,6 @@
 
 #include "faster/data/sample_counters.hpp"
 #include "faster/workload/files/png_image.hpp"
-#include "faster/workload/files/sample_picture.hpp"
 #include "faster/workload/pictures/contact_sheet.hpp"
 #include "faster/workload/pictures/depth_map.hpp"
 #include "faster/workload/pictures/drawing.hpp"
@@ -32,10 +31,15 @@ Image<Colour> for_people(Image<Colour> const& picture) {
     return pictures::enlarged(picture, std::max(1, usual_side / picture.width()));
 }
 
+/// FOLDER/sample_0007_edges.png
+fs::path sample_picture(fs::path const& folder, std::size_t sample, char const* content) {
+    return folder / fmt::format("sample_{:04}_{}.png", sample, content);
+}
+
 void write_maps(fs::path const& folder, std::size_t sample, SampleMaps const& maps) {
-    files::write_png(files::sample_picture(folder, sample, "edges"), maps.edge_map);
-    files::write_png(files::sample_picture(folder, sample, "object"), maps.object_map);
-    files::write_png(files::sample_picture(folder, sample, "depth"), maps.depth_buffer);
+    files::write_png(sample_picture(folder, sample, "edges"), maps.edge_map);
+    files::write_png(sample_picture(folder, sample, "object"), maps.object_map);
+    files::write_png(sample_picture(folder, sample, "depth"), maps.depth_buffer);
 }
 
 /// Its own scale shows the most of a sample, and its picture does not depend on the others.
@@ -66,8 +70,8 @@ void SamplePictures::write(fs::path const& folder, std::vector<SampleStatistics>
     fs::create_directories(folder);
     for (auto const& [sample, maps] : maps_) {
         write_maps(folder, sample, maps);
-        files::write_colour_png(files::sample_picture(folder, sample, "overlay"), for_people(overlay_of(sample, maps)));
-        files::write_colour_png(files::sample_picture(folder, sample, "depth_map"),
+        files::write_colour_png(sample_picture(folder, sample, "overlay"), for_people(overlay_of(sample, maps)));
+        files::write_colour_png(sample_picture(folder, sample, "depth_map"),
                                 depth_map_of(maps, stimulus_.fraction.depth_buffer));
     }
     if (!maps_.empty())

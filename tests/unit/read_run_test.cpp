@@ -9,7 +9,7 @@
 namespace read_run_test {
 
 using Catch::Matchers::Contains;
-using dataflow::runs::ClassCycles;
+using dataflow::NamedCycles;
 using dataflow::runs::read_run;
 using dataflow::runs::RunRecord;
 using faster::Counters;
@@ -102,7 +102,7 @@ TEST_CASE("A module has the cycle classes its row has, whatever they are called"
     REQUIRE(run.modules.size() == 1);
     CHECK(run.modules[0].name() == "rasterizer");
     CHECK(run.modules[0].classes ==
-          std::vector<ClassCycles>{{"busy_cycles", 70}, {"idle_cycles", 30}, {"nap_cycles", 4}});
+          std::vector<NamedCycles>{{"busy_cycles", 70}, {"idle_cycles", 30}, {"nap_cycles", 4}});
 }
 
 TEST_CASE("A summary that is none is refused", "[runs]") {

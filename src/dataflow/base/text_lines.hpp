@@ -24,6 +24,12 @@ inline std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
+/// The text behind the mark that some editors put before UTF-8.
+inline std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
+}
+
 /// Of each column that of its widest cell.
 template <std::size_t Columns>
 std::array<std::size_t, Columns> widths_of(std::vector<std::array<std::string, Columns>> const& rows) {

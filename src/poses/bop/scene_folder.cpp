@@ -61,21 +61,23 @@ Images read_cameras(fs::path const& folder, int scene_id, Camera const& size) {
     return images;
 }
 
-Pose read_pose(io::JsonNode const& node, MendedRotations& mended) {
+/// `rotation`, `translation`: names of members; `metres`: of a unit of the translation.
+Pose read_pose(io::JsonNode const& node, char const* rotation, char const* translation, double metres,
+               MendedRotations& mended) {
     Pose pose;
     std::string problem;
-    pose.rotation = mended.taken(files::matrix_of(node.at("cam_R_m2c").numbers(9)), problem);
+    pose.rotation = mended.taken(files::matrix_of(node.at(rotation).numbers(9)), problem);
     if (!problem.empty())
-        node.at("cam_R_m2c").fail(problem);
-    std::vector<double> const t = node.at("cam_t_m2c").numbers(3);
-    pose.translation = files::m_per_mm * Eigen::Vector3d(t[0], t[1], t[2]);
+        node.at(rotation).fail(problem);
+    std::vector<double> const t = node.at(translation).numbers(3);
+    pose.translation = metres * Eigen::Vector3d(t[0], t[1], t[2]);
     return pose;
 }
 
 GroundTruth read_object(io::JsonNode const& node, MendedRotations& mended) {
     GroundTruth object;
     object.obj_id = node.at("obj_id").integer(1);
-    read_into(object, [&] { object.pose = read_pose(node, mended); });
+    read_into(object, [&] { object.pose = read_pose(node, "cam_R_m2c", "cam_t_m2c", files::m_per_mm, mended); });
     return object;
 }
 
@@ -145,12 +147,7 @@ GroundTruth read_frame_object(io::JsonNode const& node, std::map<int, ObjectMode
                               MendedRotations& mended) {
     GroundTruth object;
     object.obj_id = object_called(node.at("class"), models);
-    std::string problem;
-    object.pose.rotation = mended.taken(files::matrix_of(node.at("R").numbers(9)), problem);
-    if (!problem.empty())
-        node.at("R").fail(problem);
-    std::vector<double> const t = node.at("t_scan").numbers(3);
-    object.pose.translation = Eigen::Vector3d(t[0], t[1], t[2]);
+    object.pose = read_pose(node, "R", "t_scan", 1, mended);
     return object;
 }
 

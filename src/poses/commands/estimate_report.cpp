@@ -66,10 +66,6 @@ Json pose_json(Pose const& pose) {
             {"translation_m", {pose.translation.x(), pose.translation.y(), pose.translation.z()}}};
 }
 
-template <class Number> Json number_or_null(std::optional<Number> const& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
 Json estimate_or_null(std::optional<Estimate> const& estimate) {
     return estimate ? Json{{"low", estimate->low}, {"typical", estimate->typical}, {"high", estimate->high}}
                     : Json(nullptr);
@@ -90,11 +86,11 @@ Json iteration_json(IterationRow const& row) {
             {"spread_deg", row.spread_deg},
             {"translation_sigma_mm", row.translation_sigma_mm},
             {"rotation_sigma_deg", row.rotation_sigma_deg},
-            {"best_add_mm", number_or_null(add_mm(row))},
-            {"best_adds_mm", number_or_null(adds_mm(row))},
-            {"cycles", number_or_null(row.cycles)},
-            {"accelerator_ms", number_or_null(row.accelerator_ms)},
-            {"iteration_ms", number_or_null(row.iteration_ms)},
+            {"best_add_mm", or_null(add_mm(row))},
+            {"best_adds_mm", or_null(adds_mm(row))},
+            {"cycles", or_null(row.cycles)},
+            {"accelerator_ms", or_null(row.accelerator_ms)},
+            {"iteration_ms", or_null(row.iteration_ms)},
             {"energy_mj", estimate_or_null(row.energy_mj)}};
 }
 
@@ -133,9 +129,7 @@ std::optional<Estimate> EstimateReport::total_mj() const {
     for (IterationRow const& row : iterations) {
         if (!row.energy_mj)
             return std::nullopt;
-        total.low += row.energy_mj->low;
-        total.typical += row.energy_mj->typical;
-        total.high += row.energy_mj->high;
+        total = total + *row.energy_mj;
     }
     return total;
 }
@@ -200,7 +194,7 @@ std::string estimate_json(EstimateReport const& report) {
     json["add_mm"] = report.distances ? Json(1000 * report.distances->add_m) : Json(nullptr);
     json["adds_mm"] = report.distances ? Json(1000 * report.distances->adds_m) : Json(nullptr);
     json["refine_ms"] = report.refine_ms;
-    json["total_ms"] = number_or_null(report.total_ms());
+    json["total_ms"] = or_null(report.total_ms());
     json["total_mj"] = estimate_or_null(report.total_mj());
     json["iterations"] = Json::array();
     for (IterationRow const& row : report.iterations)

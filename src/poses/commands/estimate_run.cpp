@@ -204,7 +204,7 @@ void EstimateRun::add_refinement(EstimateReport& report) const {
     double const ms = report.host.refine_us / 1000;
     report.refine_ms = ms;
     if (idle_w_)
-        report.refine_mj = Estimate{idle_w_->low * ms, idle_w_->typical * ms, idle_w_->high * ms};
+        report.refine_mj = ms * *idle_w_;
 }
 
 void EstimateRun::set_cost(IterationRow& row, IterationCost const& cost) {
@@ -214,9 +214,7 @@ void EstimateRun::set_cost(IterationRow& row, IterationCost const& cost) {
     row.cycles = cost.cycles;
     row.accelerator_ms = static_cast<double>(cost.cycles) / (accelerator_of(loaded_.config).clock_mhz * 1000);
     row.iteration_ms = *row.accelerator_ms + host_ms;
-    row.energy_mj =
-        Estimate{cost.energy_mj.low + cost.idle_w.low * host_ms, cost.energy_mj.typical + cost.idle_w.typical * host_ms,
-                 cost.energy_mj.high + cost.idle_w.high * host_ms};
+    row.energy_mj = cost.energy_mj + host_ms * cost.idle_w;
 }
 
 bop::PoseEstimate EstimateRun::bop_estimate(EstimateReport const& report) const {

@@ -9,6 +9,7 @@
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/progress_line.hpp"
 #include "dataflow/tools/sweeps/journal_rows.hpp"
+#include "dataflow/tools/sweeps/sweep_folder.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/bop/pose_results.hpp"
 #include "poses/commands/estimate_size.hpp"
@@ -38,19 +39,9 @@ std::string place_of(WantedEstimate const& wanted) {
 }  // namespace
 
 void take_folder_of_estimates(fs::path const& folder, std::string const& kind) {
-    std::error_code error;
-    if (fs::exists(folder) && !fs::is_directory(folder))
-        throw InputError(fmt::format("{}: is a file, expected a folder for {}", folder.string(), kind));
-    fs::create_directories(folder, error);
-    if (error)
-        throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
-    bool const is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(),
-                                     [](auto const& entry) { return entry.path().filename().string().front() == '.'; });
-    fs::path const journal = folder / journal_of_estimates;
-    bool const has_journal = fs::is_regular_file(journal) && sweeps::may_be_journal(io::read_file(journal));
-    if (!has_journal && !is_free)
-        throw InputError(
-            fmt::format("{}: holds other files, expected a new or empty folder or that of {}", folder.string(), kind));
+    sweeps::take_folder(folder, kind, [journal = folder / journal_of_estimates] {
+        return fs::is_regular_file(journal) && sweeps::may_be_journal(io::read_file(journal));
+    });
 }
 
 EstimateWorker::EstimateWorker(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal& journal)

@@ -137,8 +137,7 @@ poses::JudgedMethod judged(bop::Dataset const& dataset, std::string const& file,
     warnings.say(of_file);
     std::string const name = method_name(file);
     ProgressLine progress(name.c_str());
-    auto judgement = poses::judge(dataset, estimates, file, options,
-                                  [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+    auto judgement = poses::judge(dataset, estimates, file, options, progress.teller());
     warnings.say(judgement.warnings);
     return {name, std::move(judgement), mean_time_s(dataset, estimates)};
 }

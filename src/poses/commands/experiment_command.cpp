@@ -154,8 +154,7 @@ std::vector<SettingData> prepared(experiments::Experiment const& experiment, fs:
             say_warnings(odd_meshes);
             ProgressLine progress("scenes");
             std::size_t const missed =
-                experiments::make_dataset(made, setting, std::move(meshes), experiment.seed, jobs,
-                                          [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+                experiments::make_dataset(made, setting, std::move(meshes), experiment.seed, jobs, progress.teller());
             if (missed > 0)
                 say_warnings(
                     {fmt::format("{}: scenes.{}.visible = [{}, {}]: in {} images no try came near it, and the "
@@ -211,11 +210,11 @@ std::string estimates_csv(std::vector<WantedEstimate> const& wanted, experiments
     std::string text = "setting,method,scene_id,im_id,obj_id,boxes,weight,truth_weight,verdict,adds_mm\n";
     for (WantedEstimate const& each : wanted)
         if (experiments::EstimateResult const* const result = journal.find(each.id)) {
-            std::optional<JudgedError> const off = errors.of(each);
+            std::optional<poses::EstimateErrors> const off = errors.of(each);
             fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{:.6f},{:.6f},{},{}\n", each.setting->name,
                            each.method->name, each.target.image.scene_id, each.target.image.im_id, each.target.obj_id,
                            each.boxes.size(), result->weight, result->truth_weight, result->verdict,
-                           off ? fmt::format("{:.4f}", 1000 * off->adds_m) : "");
+                           off ? fmt::format("{:.4f}", 1000 * off->add_s_m) : "");
         }
     return text;
 }
@@ -275,9 +274,9 @@ std::string verdicts_table(std::vector<WantedEstimate> const& wanted, experiment
             for_each_result(wanted, journal, setting, method,
                             [&](WantedEstimate const& each, experiments::EstimateResult const& result) {
                                 std::size_t const verdict = result.verdict == "found" ? 0 : 1;
-                                std::optional<JudgedError> const off = errors.of(each);
+                                std::optional<poses::EstimateErrors> const off = errors.of(each);
                                 ++all[verdict];
-                                right[verdict] += off && off->adds_m < right_m ? 1U : 0U;
+                                right[verdict] += off && off->add_s_m < right_m ? 1U : 0U;
                             });
             fmt::format_to(std::back_inserter(text), "| {} | {} | {} | {} | {} | {} |\n", setting.name, method.name,
                            all[0], right[0], all[1], right[1]);

@@ -36,11 +36,8 @@ class Contents {
   public:
     std::string const& hash_of(std::filesystem::path const& path) {
         std::string& hash = hashes_[path];
-        if (hash.empty()) {
-            Fnv1a content;
-            content.add(io::read_file(path));
-            hash = fmt::format("{:016x}", content.value());
-        }
+        if (hash.empty())
+            hash = fnv1a_digits(io::read_file(path));
         return hash;
     }
 
@@ -89,13 +86,6 @@ std::vector<std::vector<bop::Detection>> looks_at(SettingData const& setting, bo
     return looks;
 }
 
-std::string id_of(std::string const& keys, std::string const& target) {
-    Fnv1a hash;
-    hash.add(keys);
-    hash.add(target);
-    return fmt::format("{:016x}", hash.value());
-}
-
 /// What the true pose nearest to `pose` would weigh, in the best of the boxes; 0 if it is not known.
 double truth_weight(estimation::Scene const& scene, Pose const& pose, EstimatorConfig const& config,
                     IterationScorer& scorer) {
@@ -132,7 +122,7 @@ std::vector<WantedEstimate> wanted_estimates(std::vector<SettingData> const& set
             for (std::vector<bop::Detection> const& boxes : looks_at(setting, target)) {
                 std::string const text = target_text(setting, target, boxes, contents);
                 for (std::size_t i = 0; i < methods.size(); ++i)
-                    wanted.push_back({&setting, &methods[i], target, boxes, id_of(keys[i], text)});
+                    wanted.push_back({&setting, &methods[i], target, boxes, fnv1a_digits(keys[i] + text)});
             }
         }
     std::stable_sort(wanted.begin(), wanted.end(), [](WantedEstimate const& a, WantedEstimate const& b) {

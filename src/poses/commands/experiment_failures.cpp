@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
-#include <mutex>
 
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/commands/progress_line.hpp"
@@ -155,11 +154,12 @@ double share_in_window(estimation::Scene const& scene, Pose const& pose) {
 }
 
 FailureReason reason_of(WantedEstimate const& wanted, experiments::EstimateResult const& result,
-                        estimation::Scene const& scene, estimation::TruePose const& truth, JudgedError const& off) {
+                        estimation::Scene const& scene, estimation::TruePose const& truth,
+                        poses::EstimateErrors const& off) {
     bool const has_window = estimator_of(wanted.method->loaded.config).backend == EstimatorBackend::accelerator;
     if (off.mssd_m < wrong_m)
         return FailureReason::symmetry;
-    if (off.adds_m < wrong_m)
+    if (off.add_s_m < wrong_m)
         return FailureReason::turned;
     if (!was_seen(scene, truth.pose))
         return FailureReason::box;
@@ -171,7 +171,7 @@ FailureReason reason_of(WantedEstimate const& wanted, experiments::EstimateResul
 }
 
 std::optional<Failure> looked_at(WantedEstimate const& wanted, experiments::EstimateResult const& result,
-                                 std::optional<JudgedError> const& off) {
+                                 std::optional<poses::EstimateErrors> const& off) {
     if (!off || off->add_m < wrong_m)
         return std::nullopt;
     estimation::Scene const scene = scene_of(wanted);
@@ -179,7 +179,7 @@ std::optional<Failure> looked_at(WantedEstimate const& wanted, experiments::Esti
     return Failure{&wanted,
                    &result,
                    1000 * off->add_m,
-                   1000 * off->adds_m,
+                   1000 * off->add_s_m,
                    1000 * off->mssd_m,
                    truth.visible_share,
                    reason_of(wanted, result, scene, truth, *off)};
@@ -189,9 +189,9 @@ std::optional<Failure> looked_at(WantedEstimate const& wanted, experiments::Esti
 
 void JudgedErrors::add(SettingData const& setting, MethodData const& method, std::vector<WantedEstimate> const& wanted,
                        experiments::EstimateJournal const& journal, poses::Judgement const& judgement) {
-    std::map<std::size_t, JudgedError> by_line;
+    std::map<std::size_t, poses::EstimateErrors> by_line;
     for (poses::EstimateErrors const& estimate : judgement.estimates)
-        by_line[estimate.line] = {estimate.add_m, estimate.add_s_m, estimate.mssd_m};
+        by_line[estimate.line] = estimate;
     std::size_t line = 1;  // names the columns
     for_each_result(wanted, journal, setting, method, [&](WantedEstimate const& each, auto const&) {
         if (auto const found = by_line.find(++line); found != by_line.end())
@@ -199,7 +199,7 @@ void JudgedErrors::add(SettingData const& setting, MethodData const& method, std
     });
 }
 
-std::optional<JudgedError> JudgedErrors::of(WantedEstimate const& wanted) const {
+std::optional<poses::EstimateErrors> JudgedErrors::of(WantedEstimate const& wanted) const {
     auto const found = errors_.find(&wanted);
     return found == errors_.end() ? std::nullopt : std::optional(found->second);
 }
@@ -235,13 +235,11 @@ std::vector<Failure> failures_among(std::vector<WantedEstimate> const& wanted,
                                     std::size_t jobs) {
     std::vector<std::optional<Failure>> found(wanted.size());
     ProgressLine progress("estimates looked at");
-    std::mutex mutex;
-    std::size_t done = 0;
+    CountedProgress done(wanted.size(), progress.teller());
     on_threads(wanted.size(), jobs, [&](std::size_t i) {
         if (experiments::EstimateResult const* const result = journal.find(wanted[i].id))
             found[i] = looked_at(wanted[i], *result, errors.of(wanted[i]));
-        std::lock_guard<std::mutex> const lock(mutex);
-        progress.show(++done, wanted.size());
+        done.one_more();
     });
     std::vector<Failure> failures;
     for (std::optional<Failure> const& each : found)

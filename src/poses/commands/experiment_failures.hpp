@@ -37,13 +37,6 @@ struct Failure {
     FailureReason reason = FailureReason::search;
 };
 
-/// Distances of an estimate from the truth [m] (docs/poses.md#errors).
-struct JudgedError {
-    double add_m = 0;
-    double adds_m = 0;
-    double mssd_m = 0;
-};
-
 /// How far off estimates are, each from the nearest true pose: as `evaluate` says, by the meshes that it judges with.
 class JudgedErrors {
   public:
@@ -51,10 +44,10 @@ class JudgedErrors {
     void add(SettingData const& setting, MethodData const& method, std::vector<WantedEstimate> const& wanted,
              experiments::EstimateJournal const& journal, poses::Judgement const& judgement);
     /// Nothing if the truth is not known.
-    std::optional<JudgedError> of(WantedEstimate const& wanted) const;
+    std::optional<poses::EstimateErrors> of(WantedEstimate const& wanted) const;
 
   private:
-    std::map<WantedEstimate const*, JudgedError> errors_;
+    std::map<WantedEstimate const*, poses::EstimateErrors> errors_;
 };
 
 /// Of all estimates that are there, in their order. Those whose truth is not known are none.

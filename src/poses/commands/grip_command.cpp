@@ -228,8 +228,7 @@ std::vector<double> pose_errors(Stimulus const& stimulus, Pose const& target) {
 
 std::vector<grip::PoseScore> scores_by_grip(Stimulus const& stimulus, grip::Settings const& settings, unsigned jobs) {
     ProgressLine line("samples by GRIP");
-    return grip::score_poses(stimulus, settings, jobs,
-                             [&line](std::size_t done, std::size_t all) { line.show(done, all); });
+    return grip::score_poses(stimulus, settings, jobs, line.teller());
 }
 
 /// Both score all samples, one after the other.

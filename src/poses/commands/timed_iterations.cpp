@@ -27,8 +27,6 @@ constexpr char done_mark = 'r';
 constexpr char deadlock_mark = 'd';
 constexpr char input_error_mark = 'i';
 
-Estimate sum(Estimate const& a, Estimate const& b) { return {a.low + b.low, a.typical + b.typical, a.high + b.high}; }
-
 /// For the way from one process to another: every number comes back as it was.
 std::string text_of(Estimate const& estimate) {
     return fmt::format(" {} {} {}", estimate.low, estimate.typical, estimate.high);
@@ -37,7 +35,7 @@ std::string text_of(Estimate const& estimate) {
 std::string text_of(RunStatistics const& run) {
     RunPower const power = power_of(run);
     std::string text =
-        std::to_string(run.total_cycles) + text_of(power.energy_mj) + text_of(sum(power.static_w, power.ps_w));
+        std::to_string(run.total_cycles) + text_of(power.energy_mj) + text_of(power.static_w + power.ps_w);
     text += ' ' + std::to_string(run.samples.empty() ? 0 : run.samples.front().counters.size());
     for (SampleStatistics const& sample : run.samples)
         for (std::uint64_t const value : sample.counters)
@@ -134,8 +132,7 @@ std::vector<IterationCost> simulate_iterations(LoadedConfig const& loaded, Stimu
         }});
     processes::SignalWatch const watch;
     ProgressLine progress("iterations simulated");
-    std::vector<processes::Outcome> const outcomes = processes::run_all(
-        tasks, jobs, watch, [&progress](std::size_t done, std::size_t all) { progress.show(done, all); });
+    std::vector<processes::Outcome> const outcomes = processes::run_all(tasks, jobs, watch, progress.teller());
     std::vector<IterationCost> costs;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         SimulatedIteration const iteration = result_of(outcomes[i], i);

@@ -10,6 +10,13 @@ struct Estimate {
     double high = 0;
 };
 
+inline Estimate operator*(double times, Estimate const& a) {
+    return {times * a.low, times * a.typical, times * a.high};
+}
+inline Estimate operator+(Estimate const& a, Estimate const& b) {
+    return {a.low + b.low, a.typical + b.typical, a.high + b.high};
+}
+
 /// A longest path of a unit, clock to clock.
 struct UnitPath {
     std::string from;

@@ -18,11 +18,6 @@ std::string_view take_until(std::string_view& rest, char separator) {
     return taken;
 }
 
-std::string_view without_byte_order_mark(std::string_view text) {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    return text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text;
-}
-
 bool begins_with_number(std::string_view text) {
     std::string_view const digits = text.substr(text.substr(0, 1) == "+" ? 1 : 0);
     return !digits.empty() && digits.front() >= '0' && digits.front() <= '9';

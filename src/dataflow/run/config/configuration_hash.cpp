@@ -1,7 +1,5 @@
 #include "dataflow/run/config/configuration_hash.hpp"
 
-#include <fmt/format.h>
-
 #include "dataflow/base/fnv1a.hpp"
 #include "dataflow/run/config/keys.hpp"
 
@@ -15,10 +13,6 @@ std::string configuration_hash(std::vector<ResolvedKey> const& keys) {
     return hash_of(lines);
 }
 
-std::string hash_of(std::string_view text) {
-    Fnv1a hash;
-    hash.add(text);
-    return fmt::format("fnv1a64:{:016x}", hash.value());
-}
+std::string hash_of(std::string_view text) { return "fnv1a64:" + fnv1a_digits(text); }
 
 }  // namespace dataflow

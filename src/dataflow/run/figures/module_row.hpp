@@ -7,6 +7,9 @@ namespace dataflow {
 struct NamedCycles {
     std::string name;
     Cycles cycles = 0;
+    friend bool operator==(NamedCycles const& a, NamedCycles const& b) {
+        return a.name == b.name && a.cycles == b.cycles;
+    }
 };
 
 /// One row of the table of modules in summary.json.

@@ -7,13 +7,23 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/core/memory/memory_block.hpp"
+#include "dataflow/core/memory/memory_load.hpp"
 #include "dataflow/core/time/core_timing.hpp"
 #include "dataflow/run/figures/run_statistics.hpp"
 #include "dataflow/run/replay/operation_tape.hpp"
-#include "dataflow/run/replay/recorded_memory.hpp"
 #include "dataflow/run/replay/sample_operations.hpp"
 
 namespace dataflow::replay {
+
+/// What a run had to do with an external memory: what the masters of its cores were told to fetch or to store. Says
+/// nothing about bursts or time.
+struct RecordedMemory {
+    using Entries = std::vector<timing::MemoryEntry>;
+
+    std::vector<std::vector<Entries>> entries;  ///< by sample of the run, and by master
+    std::vector<timing::LoadedRange> loaded;    ///< before cycle 0
+};
 
 /// All that a run did, without the time it took: the function of the dataflow does not depend on its timing, nor on
 /// which core scores which sample. Where it accesses FIFOs without waiting, what it found is recorded too, and a

@@ -20,8 +20,6 @@ namespace dataflow::budgets {
 
 namespace {
 
-template <class Value> Json or_null(std::optional<Value> const& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json whole_or_null(std::optional<double> const& bound) {
     return bound ? Json(static_cast<std::int64_t>(*bound)) : Json(nullptr);
 }

@@ -49,7 +49,7 @@ class SideBySide {
 
 void add_module_cycles(RunRecord const& run, Side side, SideBySide& figures) {
     for (ModuleRecord const& module : run.modules)
-        for (ClassCycles const& one : module.classes)
+        for (NamedCycles const& one : module.classes)
             figures.add(side, module.name(), one.name, one.cycles);
 }
 

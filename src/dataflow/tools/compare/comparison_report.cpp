@@ -14,8 +14,6 @@ namespace dataflow::runs {
 
 namespace {
 
-template <class Value> Json or_null(std::optional<Value> const& value) { return value ? Json(*value) : Json(); }
-
 Json head(RunHead const& run) {
     return {{"folder", run.folder}, {"samples", run.samples}, {"raster_cores", run.raster_cores}};
 }

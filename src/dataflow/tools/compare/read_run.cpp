@@ -232,8 +232,8 @@ bool is_cycle_class(std::string_view name) {
 }
 
 /// Values of another type (a breakdown of a class, say) are for others to read.
-std::vector<ClassCycles> read_classes(JsonNode const& row) {
-    std::vector<ClassCycles> classes;
+std::vector<NamedCycles> read_classes(JsonNode const& row) {
+    std::vector<NamedCycles> classes;
     for (auto const& [key, node] : row.members())
         if (is_cycle_class(key) && !node.value().is_structured())
             classes.push_back({key, figure(node)});

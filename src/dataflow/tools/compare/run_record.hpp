@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/run/figures/module_row.hpp"
 #include "dataflow/run/figures/table_columns.hpp"
 
 namespace dataflow::runs {
@@ -16,19 +17,11 @@ struct ConfigurationEntry {
     }
 };
 
-/// How many of a module's cycles were of one class. Which classes there are is up to the run that wrote them.
-struct ClassCycles {
-    std::string name;  ///< e.g. "busy_cycles"
-    Cycles cycles = 0;
-    friend bool operator==(ClassCycles const& a, ClassCycles const& b) {
-        return a.name == b.name && a.cycles == b.cycles;
-    }
-};
-
 struct ModuleRecord {
     std::uint64_t core = 0;
     std::string module;
-    std::vector<ClassCycles> classes;
+    std::vector<NamedCycles>
+        classes;  ///< columns such as "busy_cycles": which there are is up to the run that wrote them
 
     std::string name() const { return module; }
     friend bool operator==(ModuleRecord const& a, ModuleRecord const& b) {

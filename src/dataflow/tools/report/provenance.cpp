@@ -21,17 +21,15 @@ std::string command_of(MadeBy const& maker) {
 
 }  // namespace
 
-Json made_by_json(std::string const& configuration_hash) {
+Json made_by_json(std::vector<ResolvedKey> const& keys) {
     MadeBy const& maker = made_by();
     return {{"program", program_name()},
             {"version", text_or_null(maker.version)},
             {"commit", text_or_null(maker.commit)},
             {"commit_date", text_or_null(maker.commit_date)},
             {"command", text_or_null(command_of(maker))},
-            {"configuration", configuration_hash}};
+            {"configuration", configuration_hash(keys)}};
 }
-
-Json made_by_json(std::vector<ResolvedKey> const& keys) { return made_by_json(configuration_hash(keys)); }
 
 std::string made_by_html(std::string const& configuration_hash, MadeBy const& maker) {
     std::string line = shown("Made by " + program_name() + " " + maker.version);

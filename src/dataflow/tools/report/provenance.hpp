@@ -8,11 +8,8 @@
 
 namespace dataflow::report {
 
-/// Where a result comes from: program, version, commit, command and hash of the configuration. No date of the run, so
-/// that equal runs write equal bytes.
-Json made_by_json(std::string const& configuration_hash);
-
-/// Where a result comes from, with the hash of these keys.
+/// Where a result comes from: program, version, commit, command and hash of the configuration with these keys. No date
+/// of the run, so that equal runs write equal bytes.
 Json made_by_json(std::vector<ResolvedKey> const& keys);
 
 /// Where a result comes from, as a line of HTML. An empty hash is left out.

@@ -6,11 +6,6 @@ namespace dataflow {
 
 namespace {
 
-Estimate operator*(double times, Estimate const& a) { return {times * a.low, times * a.typical, times * a.high}; }
-Estimate operator+(Estimate const& a, Estimate const& b) {
-    return {a.low + b.low, a.typical + b.typical, a.high + b.high};
-}
-
 class PowerCount {
   public:
     PowerCount(RunStatistics const& run, PowerCoefficients const& coefficients)

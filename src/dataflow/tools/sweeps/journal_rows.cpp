@@ -11,15 +11,9 @@ namespace {
 
 constexpr std::size_t checksum_letters = 16;
 
-std::string checksum_of(std::string_view text) {
-    Fnv1a hash;
-    hash.add(text);
-    return fmt::format("{:016x}", hash.value());
-}
-
 bool is_whole(std::string_view row) {
     return row.size() > checksum_letters && row[checksum_letters] == ' ' &&
-           row.substr(0, checksum_letters) == checksum_of(row.substr(checksum_letters + 1));
+           row.substr(0, checksum_letters) == fnv1a_digits(row.substr(checksum_letters + 1));
 }
 
 /// A row without its line end. One of another version has a right checksum, and is of no use either.
@@ -46,7 +40,7 @@ bool may_be_journal(std::string_view text) {
 
 std::string journal_row(Json const& json) {
     std::string const text = io::text_of(json);
-    return checksum_of(text) + " " + text + "\n";
+    return fnv1a_digits(text) + " " + text + "\n";
 }
 
 std::size_t read_journal_rows(std::string_view text, std::function<void(Json const&)> const& take) {

@@ -11,8 +11,6 @@ namespace dataflow::sweeps {
 
 namespace {
 
-std::string hexadecimal(Fnv1a const& hash) { return fmt::format("{:016x}", hash.value()); }
-
 /// Length first, so that no two lists of files look the same.
 void add_file(std::filesystem::path const& path, Fnv1a& hash) {
     std::string const bytes = io::read_file(path);
@@ -31,7 +29,7 @@ PointIdentity Identifier::identity(RunConfig const& config) {
         if (depends_on_time || !is_retimable(key, config))
             function.add(line);
     }
-    return {hexadecimal(point), hexadecimal(function)};
+    return {point.digits(), function.digits()};
 }
 
 std::string Identifier::text_of(Key const& key, RunConfig const& config) {
@@ -67,7 +65,7 @@ std::string const& Identifier::content(std::filesystem::path const& path) {
             add_file(file, hash);
     else
         add_file(path, hash);
-    return contents_[path] = hexadecimal(hash);
+    return contents_[path] = hash.digits();
 }
 
 }  // namespace dataflow::sweeps

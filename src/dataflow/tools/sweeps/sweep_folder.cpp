@@ -27,28 +27,27 @@ void remove_partial_files_in(fs::path const& folder) {
 
 }  // namespace
 
+void take_folder(fs::path const& folder, std::string const& kind, std::function<bool()> const& is_of_that_kind) {
+    std::error_code error;
+    if (fs::exists(folder) && !fs::is_directory(folder))
+        throw InputError(fmt::format("{}: is a file, expected a folder for {}", folder.string(), kind));
+    fs::create_directories(folder, error);
+    if (error)
+        throw InputError(folder.string() + ": cannot be made (" + error.message() + ")");
+    bool const is_free = std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), is_hidden);
+    if (!is_free && !is_of_that_kind())
+        throw InputError(
+            fmt::format("{}: holds other files, expected a new or empty folder or that of {}", folder.string(), kind));
+}
+
 SweepFolder::SweepFolder(fs::path const& folder) : folder_(folder) {
     if (folder_.empty())
         throw InputError("the name of the output folder is empty, expected a path");
-    make();
+    take_folder(folder_, "a sweep", [this] { return fs::exists(folder_ / manifest_file); });
     lock_.emplace(folder_);
 }
 
 SweepFolder::~SweepFolder() { remove_partial_files(); }
-
-void SweepFolder::make() const {
-    std::error_code error;
-    if (fs::exists(folder_) && !fs::is_directory(folder_))
-        throw InputError(folder_.string() + ": is a file, expected a folder for a sweep");
-    fs::create_directories(folder_, error);
-    if (error)
-        throw InputError(folder_.string() + ": cannot be made (" + error.message() + ")");
-    if (fs::exists(folder_ / manifest_file))
-        return;
-    bool const is_free = std::all_of(fs::directory_iterator(folder_), fs::directory_iterator(), is_hidden);
-    if (!is_free)
-        throw InputError(folder_.string() + ": holds other files, expected a new or empty folder or that of a sweep");
-}
 
 void SweepFolder::adopt(Manifest const& manifest) {
     if (fs::exists(folder_ / manifest_file)) {

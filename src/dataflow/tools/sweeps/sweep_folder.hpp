@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -39,12 +40,16 @@ class SweepFolder {
     void remove_events_folder() const;
 
   private:
-    void make() const;
     void remove_partial_files() const;
 
     std::filesystem::path folder_;
     std::optional<io::FolderLock> lock_;
 };
+
+/// Makes the folder of results that come one by one, if there is none. `kind`: what it is for, as messages say. Throws
+/// InputError if it cannot be made, or holds something else.
+void take_folder(std::filesystem::path const& folder, std::string const& kind,
+                 std::function<bool()> const& is_of_that_kind);
 
 bool is_sweep_folder(std::filesystem::path const& folder);
 

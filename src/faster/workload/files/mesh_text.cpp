@@ -8,6 +8,7 @@
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/printable.hpp"
+#include "dataflow/base/text_lines.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace faster::files {
@@ -49,13 +50,6 @@ std::optional<std::int64_t> integer_in(std::string_view word) {
     if (!number || !(std::abs(*number) < exact) || std::trunc(*number) != *number)
         return std::nullopt;
     return static_cast<std::int64_t>(*number);
-}
-
-std::string_view without_byte_order_mark(std::string_view text) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.substr(0, byte_order_mark.size()) == byte_order_mark)
-        text.remove_prefix(byte_order_mark.size());
-    return text;
 }
 
 MeshText::MeshText(std::filesystem::path path, std::string_view text, std::size_t first_line)

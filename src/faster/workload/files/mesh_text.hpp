@@ -16,9 +16,6 @@ std::optional<double> number_in(std::string_view word);
 /// A number without a fraction, which may be written with a point.
 std::optional<std::int64_t> integer_in(std::string_view word);
 
-/// The text behind the mark that some editors put before UTF-8.
-std::string_view without_byte_order_mark(std::string_view text);
-
 /// The words of a mesh file, line by line. Lines end in \n, \r\n or \r; words are parted by blanks; a # and what
 /// follows it on its line is a comment.
 class MeshText {

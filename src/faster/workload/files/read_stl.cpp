@@ -5,6 +5,7 @@
 
 #include "dataflow/base/files/file_error.hpp"
 #include "dataflow/base/little_endian.hpp"
+#include "dataflow/base/text_lines.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_readers.hpp"
 #include "faster/workload/files/mesh_text.hpp"

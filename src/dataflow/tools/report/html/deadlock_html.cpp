@@ -79,15 +79,9 @@ Json timeline_rows(std::vector<PackedTimeline> const& timelines) {
     return rows;
 }
 
-std::size_t process_number(Machine const& machine, std::string const& name) {
-    auto const is_it = [&name](MachineProcess const& process) { return process.name == name; };
-    return static_cast<std::size_t>(std::find_if(machine.processes.begin(), machine.processes.end(), is_it) -
-                                    machine.processes.begin());
-}
-
 TimelineSpan span_of(StuckProcess const& process, Machine const& machine, SampleTimeline const& timeline) {
     TimelineSpan span;
-    span.module = process_number(machine, process.process);
+    span.module = machine.process(process.process);
     span.kind = process.waits_for_memory ? TimelineSpan::Kind::memory_stall
                 : process.to_write       ? TimelineSpan::Kind::full_stall
                                          : TimelineSpan::Kind::empty_stall;

@@ -121,6 +121,13 @@ TEST_CASE("An estimate has the same bytes whatever the number of threads, and ot
     }
 }
 
+TEST_CASE("estimate escapes what a terminal would obey in the name of its folder", "[estimate]") {
+    Workspace const workspace;
+    CommandResult const result = workspace.estimate({"--untimed", "--out", "o\x1B", "--set", "estimator.iterations=1"});
+    require_done(result);
+    CHECK_THAT(result.out, Contains("written: o\\x1b\n"));
+}
+
 TEST_CASE("On one host core an estimate scores by the simulation itself, with the same bytes", "[estimate]") {
     Workspace const workspace;
     for (char const* const kind : {"best", "mean"}) {

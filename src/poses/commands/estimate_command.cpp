@@ -92,7 +92,7 @@ int estimate_pose(EstimateRequest const& request) {
         run.find_pose();
         run.find_times(folder.get());
     } catch (DeadlockedIteration const& deadlock) {
-        fmt::print(stderr, "{}", deadlock.what());
+        warn("{}", deadlock.what());
         return exit_deadlock;
     }
     EstimateReport const report = run.report();
@@ -100,12 +100,12 @@ int estimate_pose(EstimateRequest const& request) {
         run.write(folder->path(), report);
         folder->commit();
     }
-    fmt::print("{}", estimate_text(report));
+    say("{}", estimate_text(report));
     if (folder != nullptr)
-        fmt::print("\nwritten: {}\n", request.out);
+        say("\nwritten: {}\n", request.out);
     for (std::string const& written : {request.events, written_files(request.recording)})
         if (!written.empty())
-            fmt::print("\nwritten: {}\n", written);
+            say("\nwritten: {}\n", written);
     return exit_done;
 }
 

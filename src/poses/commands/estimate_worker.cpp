@@ -8,6 +8,7 @@
 #include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/progress_line.hpp"
+#include "dataflow/commands/say.hpp"
 #include "dataflow/tools/sweeps/journal_rows.hpp"
 #include "dataflow/tools/sweeps/sweep_folder.hpp"
 #include "faster/dataflow_names.hpp"
@@ -86,7 +87,7 @@ void EstimateWorker::work(std::size_t jobs, std::size_t all) {
 void EstimateWorker::take(WantedEstimate const& wanted, processes::Outcome const& outcome) {
     if (outcome.kind != processes::Outcome::Kind::done) {
         ++failed_;
-        fmt::print(stderr, "{}: the estimate crashed, failed or took too long\n", place_of(wanted));
+        warn("{}: the estimate crashed, failed or took too long\n", place_of(wanted));
         return;
     }
     if (outcome.output.front() == complaint_mark)

@@ -227,7 +227,7 @@ void judge(fs::path const& out, std::vector<WantedEstimate> const& wanted, exper
     request.files.push_back(setting.dataset.folder.string());
     request.out = (out / "evaluation" / setting.name).string();
     request.jobs = static_cast<std::int64_t>(jobs);
-    fmt::print("\n# {}\n\n", setting.name);
+    say("\n# {}\n\n", setting.name);
     poses::Evaluation const evaluation = evaluate(request);
     for (std::size_t i = 0; i < methods.size(); ++i)
         errors.add(setting, methods[i], wanted, journal, evaluation.methods[i].judgement);
@@ -298,7 +298,7 @@ int experiment(ExperimentRequest const& request) {
     std::vector<WantedEstimate> const wanted = wanted_estimates(settings, methods);
     EstimateWorker worker(wanted, journal);
     announce(worker.size("experiment", jobs), request.force);
-    fmt::print("{} estimates, {} of them done already\n", wanted.size(), wanted.size() - worker.pending());
+    say("{} estimates, {} of them done already\n", wanted.size(), wanted.size() - worker.pending());
     std::fflush(stdout);
     worker.work(jobs, wanted.size());
     write_results(out, wanted, journal, settings, methods);
@@ -308,9 +308,8 @@ int experiment(ExperimentRequest const& request) {
     io::write_file_atomically(out / "estimates.csv", estimates_csv(wanted, journal, errors));
     std::vector<Failure> const failures = failures_among(wanted, journal, errors, jobs);
     write_failures(out, failures, settings, request.failures);
-    fmt::print("\n# failures by reason\n\n{}\n# verdicts\n\n{}\nwritten: {}\n",
-               failures_table(failures, settings, methods), verdicts_table(wanted, journal, errors, settings, methods),
-               request.out);
+    say("\n# failures by reason\n\n{}\n# verdicts\n\n{}\nwritten: {}\n", failures_table(failures, settings, methods),
+        verdicts_table(wanted, journal, errors, settings, methods), request.out);
     return worker.failed() == 0 ? exit_done : exit_failed_check;
 }
 

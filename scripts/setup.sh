@@ -11,7 +11,7 @@ set -euo pipefail
 
 packages=(
     g++ cmake ninja-build ccache pkg-config git
-    libsystemc-dev libeigen3-dev libopencv-dev catch2 libyaml-cpp-dev libcli11-dev libfmt-dev
+    libsystemc-dev libeigen3-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev catch2 libyaml-cpp-dev libcli11-dev libfmt-dev
     nlohmann-json3-dev libbenchmark-dev libmeshoptimizer-dev libnanoflann-dev libjs-chart.js libzstd-dev libpng-dev libtiff-dev zlib1g-dev
     python3-dev python3-numpy python3-venv python3-setuptools python3-wheel pybind11-dev libboost-dev libcpp-httplib-dev libutfcpp-dev libpugixml-dev graphviz verilator
 )

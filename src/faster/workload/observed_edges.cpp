@@ -23,18 +23,29 @@ struct PointSum {
     }
 };
 
-Image<PointSum> back_projected(DepthImage const& depth, Camera const& camera) {
-    Image<PointSum> cloud(depth.height(), depth.width());
-    for (int row = 0; row < depth.height(); ++row) {
-        double const y_per_z = (row - camera.cy) / camera.fy;
-        for (int column = 0; column < depth.width(); ++column) {
-            if (double const z = depth.at(row, column); z > 0) {
-                cloud.at(row, column) = {(column - camera.cx) / camera.fx * z, y_per_z * z, z, 1};
-            }
+/// The points of a depth image row by row, from the top. The last `kept` rows are at hand.
+class Cloud {
+  public:
+    Cloud(DepthImage const& depth, Camera const& camera, int kept)
+        : depth_(depth), camera_(camera), rows_(kept, depth.width()) {}
+
+    PointSum const* row(int row) const { return rows_.row(row % rows_.height()); }
+
+    PointSum const* add_row(int row) {
+        PointSum* const points = rows_.row(row % rows_.height());
+        double const y_per_z = (row - camera_.cy) / camera_.fy;
+        for (int column = 0; column < depth_.width(); ++column) {
+            double const z = depth_.at(row, column);
+            points[column] = z > 0 ? PointSum{(column - camera_.cx) / camera_.fx * z, y_per_z * z, z, 1} : PointSum();
         }
+        return points;
     }
-    return cloud;
-}
+
+  private:
+    DepthImage const& depth_;
+    Camera const& camera_;
+    Image<PointSum> rows_;
+};
 
 /// `square` includes the point itself, which adds nothing to the sum of differences but one to the count. Compares
 /// squares, to do without roots.
@@ -54,15 +65,19 @@ bool is_edge(PointSum const& point, PointSum const& square, double threshold) {
 /// Sums over the rows within `radius` of `row`, per column, sliding down with it.
 class ColumnSums {
   public:
-    ColumnSums(Image<PointSum> const& cloud, int radius)
-        : cloud_(cloud), radius_(radius), sums_(static_cast<std::size_t>(cloud.width())) {
-        for (int row = 0; row < std::min(radius, cloud.height()); ++row) {
+    ColumnSums(DepthImage const& depth, Camera const& camera, int radius)
+        : cloud_(depth, camera, std::min(2 * radius + 2, depth.height())),
+          height_(depth.height()),
+          radius_(radius),
+          sums_(static_cast<std::size_t>(depth.width())) {
+        for (int row = 0; row < std::min(radius, height_); ++row) {
             add_row(row);
         }
     }
 
+    PointSum const* points(int row) const { return cloud_.row(row); }
     std::vector<PointSum> const& slide_to(int row) {
-        if (row + radius_ < cloud_.height()) {
+        if (row + radius_ < height_) {
             add_row(row + radius_);
         }
         if (row - radius_ - 1 >= 0) {
@@ -76,13 +91,14 @@ class ColumnSums {
 
   private:
     void add_row(int row) {
-        PointSum const* const entering = cloud_.row(row);
+        PointSum const* const entering = cloud_.add_row(row);
         for (std::size_t column = 0; column < sums_.size(); ++column) {
             sums_[column] += entering[column];
         }
     }
 
-    Image<PointSum> const& cloud_;
+    Cloud cloud_;
+    int height_;
     int radius_;
     std::vector<PointSum> sums_;
 };
@@ -111,11 +127,11 @@ void mark_row(PointSum const* points, std::vector<PointSum> const& column_sums, 
 
 Image<std::uint8_t> observed_edges(DepthImage const& depth, Camera const& camera, ObservedEdgesConfig const& config) {
     Image<std::uint8_t> edges(depth.height(), depth.width());
-    Image<PointSum> const cloud = back_projected(depth, camera);
     int const radius = config.neighbourhood / 2;
-    ColumnSums column_sums(cloud, radius);
+    ColumnSums column_sums(depth, camera, radius);
     for (int row = 0; row < depth.height(); ++row) {
-        mark_row(cloud.row(row), column_sums.slide_to(row), radius, config.threshold, edges.row(row));
+        std::vector<PointSum> const& sums = column_sums.slide_to(row);
+        mark_row(column_sums.points(row), sums, radius, config.threshold, edges.row(row));
     }
     return edges;
 }

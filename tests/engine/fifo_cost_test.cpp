@@ -177,7 +177,7 @@ TEST_CASE("docs/formats.md says how wide the tokens of three designs are", "[siz
     }
 }
 
-TEST_CASE("Levels are the deepest choices of each price, for every depth", "[sizing]") {
+TEST_CASE("Levels are the deepest choices of each price, for every depth, as is what an answer holds", "[sizing]") {
     for (FifoKind const kind : {FifoKind::automatic, srl, memory})
         for (unsigned const bits : {1U, 2U, 11U, 34U, 48U}) {
             FifoFreedom const fifo{kind, bits, generations[bits % 3]};
@@ -191,6 +191,12 @@ TEST_CASE("Levels are the deepest choices of each price, for every depth", "[siz
                            level.primitives == needed;
                 };
                 REQUIRE(std::count_if(levels.begin(), levels.end(), holds) == 1);
+                auto const is_alike = [&](std::uint64_t other) {
+                    return fifo.at_depth(other).kind == choice.kind && primitives(choice.kind, other, bits) == needed;
+                };
+                std::uint64_t const deepest = deepest_alike(choice, fifo, CostWeights()).depth;
+                REQUIRE(is_alike(deepest));
+                REQUIRE(!is_alike(deepest + 1));
             }
             auto const costs_less = [](Level const& a, Level const& b) { return a.cost < b.cost; };
             CHECK(std::is_sorted(levels.begin(), levels.end(), costs_less));

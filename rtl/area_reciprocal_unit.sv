@@ -1,7 +1,8 @@
 // 1 / area of every triangle that is drawn: a pipeline that flushes, one step per cycle. A step takes an area if there
 // is one, else a bubble; what it took leaves `stages` steps later. A result without room freezes the unit, bubbles and
 // all. Areas of zero or less yield nothing. With an `interval` above 1 so many steps less one behind a drawn triangle's
-// area take bubbles only.
+// area take bubbles only. A unit that squeezes never freezes: an area begins once its result has a place, in a stage or
+// in the FIFO behind, and is held until then.
 module area_reciprocal_unit #(
     parameter int AREA_BITS = 36,
     parameter int RECIPROCAL_BITS = 64,
@@ -31,7 +32,12 @@ module area_reciprocal_unit #(
     logic [11:0] taken;  // results in the unit and in the FIFO
     faster_pkg::cycles_t busy;  // steps in which no area is taken
     localparam bit IS_NEVER_BUSY = DIVIDER_STAGES > 0 && DIVIDER_INTERVAL == 1;
-    wire takes = area_has_token && (IS_NEVER_BUSY || busy == '0) && (!squeezes || !is_drawn || taken < capacity);
+    logic is_held;  // an area that has yet to begin
+    logic [AREA_BITS-2:0] held;
+    wire has_place = !squeezes || taken < capacity;
+    wire waits = squeezes && is_held;
+    wire takes = area_has_token && (IS_NEVER_BUSY || busy == '0) && !waits;
+    wire begins = (waits || (takes && is_drawn)) && has_place;
     logic [RECIPROCAL_BITS-1:0] quotient;
 
     divider #(
@@ -40,11 +46,11 @@ module area_reciprocal_unit #(
         .STAGES       (DIVIDER_STAGES),
         .INTERVAL     (DIVIDER_INTERVAL)
     ) divide (
-        .clock, .advance, .begins(takes && is_drawn), .dividend(RECIPROCAL_BITS'(1) << one),
-        .divisor(area[AREA_BITS-2:0]), .quotient
+        .clock, .advance, .begins, .dividend(RECIPROCAL_BITS'(1) << one),
+        .divisor(waits ? held : area[AREA_BITS-2:0]), .quotient
     );
     delay_line valid_line (
-        .clock, .advance, .stages, .in(takes && is_drawn), .out(leaves)
+        .clock, .advance, .stages, .in(begins), .out(leaves)
     );
     delay_line #(
         .BITS(RECIPROCAL_BITS)
@@ -57,8 +63,12 @@ module area_reciprocal_unit #(
 
     always_ff @(posedge clock) begin
         if (reset) taken <= '0;
-        else taken <= taken + 12'(area_read && is_drawn) - 12'(area_reciprocal_is_read);
+        else taken <= taken + 12'(begins && advance) - 12'(area_reciprocal_is_read);
         if (reset) busy <= '0;
-        else if (advance) busy <= takes && is_drawn ? interval - 8'd1 : busy - 8'(busy != '0);
+        else if (advance) busy <= begins ? interval - 8'd1 : busy - 8'(busy != '0);
+    end
+    always_ff @(posedge clock) begin
+        is_held <= !reset && squeezes && !begins && (waits || (takes && is_drawn));
+        if (!waits) held <= area[AREA_BITS-2:0];
     end
 endmodule

@@ -235,7 +235,7 @@ module cosimulated_core (
         field[F_AREA][0] = 64'(core.area_in);
         // A recording has a squeezing unit's result where it is issued.
         if (settings.reciprocals_squeeze) begin
-            fifo_write[F_AREA_RECIPROCAL] = core.area_read && core.area_out > 0;
+            fifo_write[F_AREA_RECIPROCAL] = core.reciprocal.begins;
             field[F_AREA_RECIPROCAL][0] = 64'(core.reciprocal.quotient);
         end else begin
             fifo_write[F_AREA_RECIPROCAL] = core.area_reciprocal_write;

@@ -260,7 +260,7 @@ module cosimulated_lane_core (
         // A recording has a squeezing unit's result where it is issued.
         field[F_AREA_RECIPROCAL][0] = 64'(core.area_reciprocal_in);
         if (settings.common.reciprocals_squeeze) begin
-            fifo_write[F_AREA_RECIPROCAL] = core.area_read && core.area_out > 0;
+            fifo_write[F_AREA_RECIPROCAL] = core.reciprocal.begins;
             field[F_AREA_RECIPROCAL][0] = 64'(core.reciprocal.quotient);
         end
         field[F_COMMAND][0] = 64'(core.command_in);

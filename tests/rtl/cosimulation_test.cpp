@@ -172,6 +172,21 @@ Trial random_lane_trial(std::uint64_t seed) {
     return trial;
 }
 
+/// A reciprocal unit that squeezes, with little room behind it and much beside it: areas wait for a place.
+Trial squeezed(Trial trial, std::uint64_t seed) {
+    FifoSettings& reciprocals = trial.config.fifo(FifoId::area_reciprocal);
+    reciprocals.when_full = WhenFull::squeeze;
+    reciprocals.depth = 1 + seed % 2;
+    reciprocals.write_latency = 1 + seed % 5;
+    for (FifoId const id : {FifoId::command, FifoId::fragment_depth, FifoId::fragment_index, FifoId::edge_token}) {
+        trial.config.fifo(id).depth = 400;
+        trial.config.fifo(id).kind = FifoKind::memory;
+    }
+    return trial;
+}
+Trial squeezed_trial(std::uint64_t seed) { return squeezed(random_trial(seed), seed); }
+Trial squeezed_lane_trial(std::uint64_t seed) { return squeezed(random_lane_trial(seed), seed); }
+
 void check_seeds(Trial (*random)(std::uint64_t), std::uint64_t first, std::uint64_t count) {
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         CAPTURE(seed);
@@ -356,6 +371,11 @@ TEST_CASE("Model and twin do the same in the same cycles: seeds 61 to 120", "[rt
 
 TEST_CASE("Designs with lanes do the same in the same cycles: seeds 1 to 100", "[rtl]") {
     check_seeds(random_lane_trial, 1, 100);
+}
+
+TEST_CASE("Areas that wait for a place wait in the same cycles", "[rtl]") {
+    check_seeds(squeezed_trial, 201, 20);
+    check_seeds(squeezed_lane_trial, 201, 20);
 }
 
 }  // namespace faster::testing::cosimulation_test

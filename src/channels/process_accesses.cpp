@@ -36,7 +36,7 @@ void ProcessClock::require_first_stage(timing::Ports port) {
     if (last_attempt_ && reached_ + step_of(number) == *last_attempt_)
         return;
     timing_.require_first(pipelined_, number);
-    timing_.note_first_reads(pipelined_, port);
+    note_first_reads(pipelined_, port);
     SoundAccesses& sound = sound_by_loop_[pipelined_];
     sound.first_reads |= sound.accesses & port.number();
     sound_ = sound;

@@ -62,8 +62,10 @@ void ProcessClock::require_described_ports() const {
 }
 
 void ProcessClock::begin_call() {
-    if (dataflow_core_.machine().has_calls)
+    if (dataflow_core_.machine().has_calls) {
+        rests_ = rests_ && !timing_.shape()->call_start.is_in_turn;
         say([](OperationLog& log) { log.await_call(); });
+    }
     hand_over(FifoEnd::When::call_begins);
 }
 
@@ -112,11 +114,22 @@ WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string
     WriteDistances* const distances = dataflow_core_.write_distances(timing_.index(), loop, memory);
     Machine const& machine = dataflow_core_.machine();
     MachineLoop const& described = machine.loops[machine.loop(timing_.index(), loop)];
+    if (distances != nullptr)
+        distances_.emplace_back(this->loop(loop), distances);
     std::optional<std::size_t> const found = described.dependence_on(machine.memory(memory));
     if (found && described.dependences[*found].interlocks())
         interlocks_.push_back({this->loop(loop), static_cast<std::uint32_t>(*found),
                                described.dependences[*found].longest_span, distances});
     return distances;
+}
+
+/// A loop that goes on with the next call is entered once: its iterations may meet those of the call before.
+void ProcessClock::begin_distances(unsigned loop) {
+    if (rests_ && entered_ == loop)
+        return;
+    for (auto const& [watched, distances] : distances_)
+        if (watched == loop)
+            distances->enter();
 }
 
 bool ProcessClock::reads_first(unsigned loop) const {

@@ -48,13 +48,16 @@ class ProcessClock {
 
     /// Where a loop of the process tells which words of a memory its iterations access, by their names. Null if nobody
     /// wants to know, as mostly. Once, after connect_all(): in start_of_simulation() of the module. Each iteration of
-    /// that loop calls next_iteration() there and says its words, before any other of the process begins.
+    /// that loop calls next_iteration() there and says its words, before any other of the process begins. The clock
+    /// calls enter() there.
     WriteDistances* write_distances(std::string_view loop, std::string_view memory);
     /// Whether iterations of a loop may have to wait for writes (`hazards: interlock`). They are told one by one then.
     bool has_interlocks(unsigned loop) const;
     /// Whether iterations of a loop read all that they do before they do anything else, and make no attempts: then the
     /// module may do many at once. They read in stage 0: in lockstep, time passes before a later one.
     bool reads_first(unsigned loop) const;
+    /// The module reads these before anything else that an iteration does: a recording of it keeps that.
+    void note_first_reads(unsigned loop, timing::Ports ports) { timing_.note_first_reads(loop, ports); }
     /// Errors: InputError if an iteration that accesses `others` may not access `port` as well: it is one of them, or
     /// the loop does not name it.
     void require_access(unsigned loop, timing::Ports others, timing::Ports port) const;
@@ -77,6 +80,7 @@ class ProcessClock {
     /// T += cycles.
     void advance(Cycles cycles) {
         require_outside("lets time pass");
+        rests_ = rests_ && cycles == 0;
         say([cycles](OperationLog& log) {
             Cycles left = cycles;
             for (; left > longest_count; left -= longest_count)
@@ -87,6 +91,7 @@ class ProcessClock {
     /// T += the cycles of a setup.
     void set_up() {
         require_outside("prepares something");
+        rests_ = false;
         say([](OperationLog& log) { log.setup(); });
     }
     /// Between iterations of a loop: a setup begins; the loop waits until the oldest one not awaited yet is done.
@@ -102,6 +107,7 @@ class ProcessClock {
     void here(SourceSite site = SourceSite::here()) { site_ = site; }
     /// The accesses of one step, together.
     void step(timing::Ports ports) {
+        rests_ = false;
         say([ports](OperationLog& log) { log.step(ports.number(), 0); });
     }
     /// Notes the local time, or the cycle before it: see ModuleDescription::stamps_look_back. Read back from
@@ -119,6 +125,9 @@ class ProcessClock {
         if (stream_ != nullptr)
             enter_memory(loop);
         timing_.note_loop_site(loop, site);
+        if (!distances_.empty())
+            begin_distances(loop);
+        entered_ = loop;
         say([loop](OperationLog& log) { log.enter(loop); });
     }
     /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing. Inlined by force:
@@ -152,6 +161,7 @@ class ProcessClock {
     void leave_loop() {
         require_loop("leaves a loop");
         is_in_loop_ = false;
+        rests_ = timing_.loops()[entered_].rewinds;
         say([](OperationLog& log) { log.leave(); });
     }
     /// All of a pipelined loop: `count` iterations of `body`, which is called with their numbers from 0 on. What it
@@ -438,6 +448,7 @@ class ProcessClock {
     static timing::Ports read_port_of(FifoChannel const& fifo);
     void require_described_ports() const;
     void require_first_stage(timing::Ports port);
+    void begin_distances(unsigned loop);
     void require_once(timing::Ports port) const;
     [[noreturn]] void refuse_second(unsigned port) const;
     void require_named(unsigned loop, unsigned port) const;
@@ -480,6 +491,9 @@ class ProcessClock {
         WriteDistances const* distances;
     };
     std::vector<Interlock> interlocks_;
+    std::vector<std::pair<unsigned, WriteDistances*>> distances_;  // by loop
+    unsigned entered_ = 0;                                         // the loop, last
+    bool rests_ = false;  // since that was left nothing has been done before which it would have to drain
     std::map<FifoEnd::When, timing::Ports> hand_overs_;
     SourceSite site_;
     bool is_away_ = true;  // its thread waits, or has not begun or is done: who calls now is another

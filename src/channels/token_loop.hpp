@@ -70,6 +70,7 @@ template <class... In, class... Out> class TokenLoop<Reads<In...>, Writes<Out...
         ports_ = timing::no_ports;
         each_of(in_, [this](auto& fifo) {
             clock_->require_end(fifo, fifo.read_port(), false);
+            clock_->note_first_reads(loop_, fifo.read_port());
             add(fifo.read_port());
         });
         each_of(out_, [this](auto& fifo) {

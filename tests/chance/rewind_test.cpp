@@ -6,6 +6,7 @@
 #include "chance/chance_simulation.hpp"
 #include "chance/chance_twin.hpp"
 #include "chance/pair.hpp"
+#include "dataflow/run/figures/table_rows.hpp"
 #include "dataflow/tools/recording/event_merge.hpp"
 
 namespace rewind_test {
@@ -130,6 +131,42 @@ TEST_CASE("a loop that reads in a later stage, or makes attempts, cannot rewind"
     CHECK(obstacle() == "reads a FIFO in a later stage than its first");
     pair.reader.ends.front().taken("receive", 0).non_blocking();
     CHECK(obstacle() == "accesses a FIFO without waiting");
+}
+
+/// The hazards of three calls that write a word last and read it first. The clock says where a call begins anew.
+std::string hazards_of(MachineSettings const& settings, Engine engine) {
+    Pair pair = rewinding_pair();
+    constexpr PixelOffset own{0, 0};
+    pair.reader.loops.front().of_depth(4).accesses_memory("m", {{own}, {own}}).in_stages({"m", 0, 2, 1, 1});
+    pair.reader.memory("m").of_words(1, 2, 8);
+    WriteDistances* distances = nullptr;
+    pair.reads = [&distances](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        if (distances == nullptr)
+            distances = clock.write_distances("receive", "m");
+        clock.pipeline("receive", 10, [&](std::uint64_t i) {
+            distances->next_iteration();
+            if (i == 0)
+                distances->read(0);
+            fifo.read();
+            if (i == 9)
+                distances->write(0);
+        });
+    };
+    return testing::forked_bytes([&] {
+        auto const machine =
+            std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), settings));
+        SimulationOptions options;
+        options.hazards = true;
+        RunStatistics const run = simulate(*accelerator_of(pair, machine, 3, engine), options);
+        return std::to_string(dependence_sums(run).at(0).hazards());
+    });
+}
+
+TEST_CASE("iterations of a loop that rewinds meet those of the call before, of others they do not") {
+    for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
+        CHECK(hazards_of(with_rewind(true, true), engine) == "2");
+        CHECK(hazards_of(with_rewind(true, false), engine) == "0");
+    }
 }
 
 }  // namespace rewind_test

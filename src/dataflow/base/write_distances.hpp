@@ -76,7 +76,6 @@ class WriteDistances {
 
 /// Counts nothing, and costs nothing.
 struct NoWriteDistances {
-    void enter() {}
     void next_iteration() {}
     void read(std::size_t /*word*/) {}
     void write(std::size_t /*word*/) {}

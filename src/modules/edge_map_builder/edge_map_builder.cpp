@@ -69,7 +69,6 @@ void EdgeMapBuilder::build() {
         clock_.advance(1);
         return;
     }
-    watched_.enter();
     token_.run_mixed([&](unsigned most, EdgeToken const* next) {
         return watched_.take(maps_, current, next, most, core_.config.edge_map.flush_last);
     });

@@ -107,7 +107,6 @@ void EdgeMapBuilderVariant::build() {
         clock_.advance(1);
         return;
     }
-    watched_.enter();
     token_.run_mixed([&](unsigned most, EdgeToken const* next) {
         return watched_.take(*maps_, current, next, most, core_.config.edge_map.flush_last);
     });
@@ -122,7 +121,6 @@ void EdgeMapBuilderVariant::build_of_groups() {
         clock_.advance(1);
         return;
     }
-    watched_.enter();
     group_.run_while([&](PixelGroup const& next) {
         watched_.take_group(*maps_, current);
         current = next;

@@ -10,11 +10,10 @@
 namespace faster {
 
 /// Runs tokens through the maps of an algorithm and, if hazards are watched, reports the words that iterations access.
-/// Per sample: enter(); take() until the last, unless there are no tokens; or take_group() for all.
+/// Per sample: take() until the last, unless there are no tokens; or take_group() for all.
 class WatchedMaps {
   public:
     void watch(datapath::MapWatch const& watch) { watch_ = watch; }
-    void enter() { watch_.enter(); }
 
     /// Iterations of the token loop: each takes `current` and reads the one behind it, of which `most` are at hand, so
     /// that the loop knows the end token one iteration early. Then the second iteration of the last token never runs,

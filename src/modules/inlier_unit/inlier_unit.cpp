@@ -101,7 +101,6 @@ Command InlierUnit::draw_fragments(std::uint64_t reciprocal, Command command) {
     FragmentDrawing const fragments{depth_unit_, depth_buffer_.data(), static_cast<unsigned>(core_.stimulus.window),
                                     reciprocal};
     with_watcher(distances_, [&](auto& watcher) {
-        watcher.enter();
         fragment_.run_while([&](std::int64_t z_sum, FragmentIndex const& pixel, Command next) {
             watcher.next_iteration();
             counters_.valid_raster += fragments.draw(z_sum, pixel, watcher) ? 1U : 0U;

@@ -130,7 +130,7 @@ Command InlierUnitVariant::draw_fragments(std::uint64_t reciprocal, Command comm
         clock_.advance(1);
         return command;
     }
-    enter_fragment_loop();
+    fragment_.enter();
     take_fragments(reciprocal, command);
     fragment_.leave();
     return command;
@@ -144,7 +144,7 @@ void InlierUnitVariant::draw_in_one_loop() {
     if (command == Command::End)
         return;
     std::uint64_t reciprocal = 0;
-    enter_fragment_loop();
+    fragment_.enter();
     while (command != Command::End) {
         if (command == Command::Triangle)
             take_triangle(reciprocal, command);
@@ -152,12 +152,6 @@ void InlierUnitVariant::draw_in_one_loop() {
             take_fragments(reciprocal, command);
     }
     fragment_.leave();
-}
-
-void InlierUnitVariant::enter_fragment_loop() {
-    fragment_.enter();
-    if (distances_ != nullptr)
-        distances_->enter();
 }
 
 void InlierUnitVariant::take_triangle(std::uint64_t& reciprocal, Command& command) {

@@ -51,7 +51,6 @@ class InlierUnitVariant : public sc_core::sc_module {
     void clear();
     void draw_triangles();
     void draw_in_one_loop();
-    void enter_fragment_loop();
     void take_triangle(std::uint64_t& reciprocal, Command& command);
     void take_fragments(std::uint64_t reciprocal, Command& command);
     Command draw_fragments(std::uint64_t reciprocal, Command command);

@@ -12,11 +12,6 @@ struct MapWatch {
     WriteDistances* edge_map = nullptr;
     WriteDistances* object_map = nullptr;
 
-    void enter() const {
-        for (WriteDistances* const map : {edge_map, object_map})
-            if (map != nullptr)
-                map->enter();
-    }
     void next_iteration() const {
         for (WriteDistances* const map : {edge_map, object_map})
             if (map != nullptr)

@@ -157,6 +157,22 @@ TEST_CASE("The output of check does not depend on the number of processes, nor o
     CHECK(run_command(FASTER_SIM_BINARY, words, source).out == one.out);
 }
 
+TEST_CASE("A budget may limit what only some configurations have, and such a one") {
+    TempFolder const folder;
+    std::string const two_buffers = "  accelerator.inlier_unit.buffers: 2\n  accelerator.edge_map.buffers: 2\n";
+    std::string const limits =
+        "limits:\n  loops.edge_map_output.output.iterations: {min: 1}\n  fifos.map_*.writes: {min: 1}\n";
+    folder.write("two.yaml", head(two_buffers) + empty_trace + limits + some_baseline);
+    require_done(check(folder, {"two.yaml"}));
+    folder.write("one.yaml", head() + empty_trace + limits + some_baseline);
+    CommandResult const without = check(folder, {"one.yaml"});
+    CHECK(without.exit_code == 2);
+    CHECK_THAT(without.err, Contains("one.yaml:9: limits.loops.edge_map_output.output.iterations: matches no figure"));
+    require_done(check(folder, {"--init", source + "/configs/architectures/double_buffers.yaml", "--trace",
+                                source + "/traces/empty", "--set", "accelerator.raster_cores=1", "--out", "new.yaml"}));
+    CHECK_THAT(content_of(folder / "new.yaml"), Contains("modules.inlier_sweep.empty_stall_cycles"));
+}
+
 TEST_CASE("A bad budget is one line with its place, and nothing is simulated or written") {
     TempFolder const folder;
     folder.write("good.yaml", endless);

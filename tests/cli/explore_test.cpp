@@ -193,6 +193,19 @@ TEST_CASE("The critical path of cores that share a memory is that of a run") {
     CHECK(ask(process, "path", Json::object()) == workspace.summary("run")["critical_path"]);
 }
 
+TEST_CASE("With an ideal memory a module's cycles keep the classes of the recorded run", "[explore]") {
+    SmallWorkspace const workspace;
+    ExploreProcess const process(FASTER_SIM_BINARY, {"config.yaml", "--set", "accelerator.memory.model=axi"},
+                                 workspace.folder().path());
+    Json const recorded = ask(process, "retime", {{"set", Words()}})["modules"];
+    Json const ideal = ask(process, "retime", {{"set", Words{"accelerator.memory.model=ideal"}}})["modules"];
+    REQUIRE(ideal.size() == recorded.size());
+    for (std::size_t i = 0; i < ideal.size(); ++i) {
+        CAPTURE(ideal[i]["module"]);
+        CHECK(ideal[i]["cycles"].size() == recorded[i]["cycles"].size());
+    }
+}
+
 TEST_CASE("explore runs a configuration first, and a deadlock is something that it shows") {
     SmallWorkspace const workspace;
     ExploreProcess process(FASTER_SIM_BINARY, {"config.yaml", "--set", "accelerator.raster_cores=1"},

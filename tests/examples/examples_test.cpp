@@ -353,6 +353,15 @@ TEST_CASE("A stage of a read that its module's code could not have is not valid 
                Contains("list.yaml:2: loop doubler.double reads loaded in stage 2, behind other accesses"));
 }
 
+TEST_CASE("A stage that loops of tokens could not have is no what-if of theirs", "[examples]") {
+    Example const example("pipeline");
+    example.run({}, {"--events", "events"});
+    CommandResult const refused = example.call({"whatif", "events", "--set", "accelerator.fifos.number.read_stage=3",
+                                                "--set", "accelerator.fifos.product.write_latency=0"});
+    CHECK(refused.exit_code == 2);
+    CHECK_THAT(refused.err, Contains("loop scaler.scale reads number in stage 3, behind other accesses"));
+}
+
 /// With o = 4 bursts of 16 tokens under way, of R = 64 cycles: row "outstanding" of docs/memory-model.md, by hand.
 TEST_CASE("An external memory of a slow clock keeps time for more than seven months", "[examples]") {
     // 3,000 samples of 6 million cycles of a millisecond: more picoseconds than 64 bits hold.

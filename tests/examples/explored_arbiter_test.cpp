@@ -1,6 +1,9 @@
 // explore of a design whose accesses do not wait: where they would find something else, it runs the design again.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "support/command.hpp"
 #include "support/explore_questions.hpp"
@@ -47,6 +50,30 @@ TEST_CASE("explore runs a design again whose accesses would find something else"
     Json const as_recorded = explored.ask("retime", {{"set", Words()}});
     CHECK_FALSE(as_recorded.contains("run_again"));
     CHECK(as_recorded["total_cycles"] == 207);
+}
+
+TEST_CASE("explore takes a run with it that it is waiting for", "[examples]") {
+    TempFolder const folder;
+    ExploreProcess process(ARBITER_BINARY,
+                           {std::filesystem::path(FASTER_SOURCE_DIR) / "examples/arbiter/arbiter.yaml", "--set",
+                            "workload.messages=1000000"},
+                           folder.path());
+    std::string const run = ".explore-" + std::to_string(process.number());
+    auto const is_running = [&run] {
+        std::filesystem::directory_iterator const files(std::filesystem::temp_directory_path());
+        return std::any_of(begin(files), end(files), [&run](std::filesystem::directory_entry const& file) {
+            return file.path().filename().string().rfind(run, 0) == 0;
+        });
+    };
+    std::thread asking([&process] {
+        post_to(process, process.home() + "retime", R"({"set": ["accelerator.loops.second.produce.ii=3"]})");
+    });
+    for (int i = 0; i < 2000 && !is_running(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    CHECK(is_running());
+    CHECK(process.interrupt() == 0);
+    CHECK_FALSE(is_running());
+    asking.join();
 }
 
 }  // namespace explored_arbiter_test

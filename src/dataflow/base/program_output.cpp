@@ -1,11 +1,14 @@
 #include "dataflow/base/program_output.hpp"
 
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 #include "dataflow/base/files/c_file.hpp"
@@ -35,8 +38,19 @@ std::string read_all(std::FILE* file) {
     throw HostError(fmt::format("{}: {}, expected a program that works", program, what));
 }
 
+/// A process that has ended stays until it is waited for, so its number is not another's.
+void kill_once_unwanted(pid_t process, std::function<bool()> const& is_wanted) {
+    siginfo_t info{};
+    auto const is_running = [&] {
+        return waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+    };
+    while (is_running() && is_wanted())
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    kill(process, SIGKILL);
+}
+
 /// False if there is no such program.
-bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output) {
+bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output, std::function<bool()> const& is_wanted) {
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
     for (std::string& word : words)
@@ -54,6 +68,8 @@ bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output) {
         return false;
     if (error != 0)
         fail(words.front(), fmt::format("cannot be started ({})", std::strerror(error)));
+    if (is_wanted)
+        kill_once_unwanted(process, is_wanted);
     int status = 0;
     if (waitpid(process, &status, 0) != process)
         fail(words.front(), "cannot be waited for");
@@ -66,7 +82,8 @@ bool run(std::vector<std::string>& words, std::FILE* input, std::FILE* output) {
 
 }  // namespace
 
-std::optional<std::string> program_output(std::vector<std::string> words, std::string const& input) {
+std::optional<std::string> program_output(std::vector<std::string> words, std::string const& input,
+                                          std::function<bool()> const& is_wanted) {
     // Instead of pipes: nobody has to read while somebody writes, and nobody is told by a signal that the other is
     // gone.
     io::CFile const in(std::tmpfile());
@@ -74,7 +91,7 @@ std::optional<std::string> program_output(std::vector<std::string> words, std::s
     if (!in || !out || !write_all(input, in.get()))
         throw HostError(fmt::format("temporary file: cannot be written for {} ({}), expected room for it",
                                     words.front(), std::strerror(errno)));
-    return run(words, in.get(), out.get()) ? std::optional(read_all(out.get())) : std::nullopt;
+    return run(words, in.get(), out.get(), is_wanted) ? std::optional(read_all(out.get())) : std::nullopt;
 }
 
 }  // namespace dataflow

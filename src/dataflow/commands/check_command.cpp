@@ -19,6 +19,7 @@
 #include "dataflow/commands/options.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/load_config.hpp"
 #include "dataflow/run/config/keys.hpp"
 #include "dataflow/tools/budgets/baseline_text.hpp"
 #include "dataflow/tools/budgets/budget_file.hpp"
@@ -56,8 +57,7 @@ Budget new_budget(CheckRequest const& request) {
 }
 
 /// The module that makes the results: it writes what the one that ends samples reads.
-budgets::GuardedFigures guarded_figures() {
-    Machine const machine = machine_of(RunConfig());
+budgets::GuardedFigures guarded_figures(Machine const& machine) {
     std::size_t module = machine.ends;
     for (MachineFifo const& fifo : machine.fifos)
         if (fifo.is_present && fifo.reader == machine.ends) {
@@ -71,6 +71,7 @@ budgets::GuardedFigures guarded_figures() {
 /// code; throws InputError, also if the file is there already.
 int start_budget(CheckRequest const& request) {
     Budget const budget = new_budget(request);
+    Machine const machine = machine_of(load_config(request.init, request.overrides).config);
     io::OutputFile const file(budget.file);
     processes::SignalWatch const watch;
     io::Scratch const place(fs::weakly_canonical(fs::absolute(budget.file)), io::Scratch::Kind::file);  // its folder
@@ -85,7 +86,7 @@ int start_budget(CheckRequest const& request) {
     }
     if (measurement.kind != Measurement::Kind::figures)
         throw InputError(measurement.message);
-    file.commit(budgets::starting_budget(budget, measurement, guarded_figures(), today()));
+    file.commit(budgets::starting_budget(budget, measurement, guarded_figures(machine), today()));
     say("written: {}\nnext: {} check {}\n", budget.file.string(), program_name(), budget.file.string());
     return exit_done;
 }

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -84,14 +85,14 @@ explore::Exploration::Require require_room(ExploreRequest const& request) {
     };
 }
 
-/// In a process of its own: SystemC's modules are made once in each.
-events::EventFile run_again(std::string const& yaml) {
+/// In a process of its own: SystemC's modules are made once in each. It ends with this one.
+events::EventFile run_again(std::string const& yaml, std::atomic<bool> const& is_ending) {
     std::string const name = "explore-" + std::to_string(getpid());
     io::Scratch const folder(std::filesystem::temp_directory_path() / name, io::Scratch::Kind::folder);
     std::filesystem::path const configuration = folder.path() / "config.yaml", events = folder.path() / "events";
     std::ofstream(configuration) << yaml;
     std::string const program = std::filesystem::read_symlink("/proc/self/exe");
-    program_output({program, "run", configuration, "--events", events}, "");
+    program_output({program, "run", configuration, "--events", events}, "", [&is_ending] { return !is_ending; });
     return events::read_event_file(events);
 }
 
@@ -107,15 +108,16 @@ int explore_run(ExploreRequest const& request) {
         is_event_file(request.input) ? std::make_unique<Recorded>(read_recorded(request)) : record(request);
     if (!recorded)
         return exit_deadlock;
+    std::atomic<bool> is_ending = false;
     explore::Exploration exploration(std::filesystem::path(request.input).filename().string(),
                                      std::move(recorded->loaded), std::move(recorded->run), require_room(request),
-                                     run_again);
+                                     [&is_ending](std::string const& yaml) { return run_again(yaml, is_ending); });
     explore::Answers answers(exploration);
     ExploreServer server(answers, request.port);
     say("{}\n\nOn another machine, open the same address after\n  ssh -N -L {}:127.0.0.1:{} {}\n\nCtrl-C ends it.\n",
         server.address(), server.port(), server.port(), host_name());
     finish_saying();
-    server.serve();
+    server.serve([&is_ending] { is_ending = true; });
     return exit_done;
 }
 

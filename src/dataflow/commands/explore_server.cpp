@@ -274,7 +274,7 @@ class ExploreServer::Http {
     int port() const { return acceptor_.local_endpoint().port(); }
     std::string const& home() const { return home_; }
 
-    void serve() {
+    void serve(std::function<void()> const& tell_of_end) {
         processes::SignalWatch const watch;
         asio::posix::stream_descriptor signals(io_, dup(watch.descriptor()));
         signals.async_wait(asio::posix::stream_descriptor::wait_read, [this](error_code const&) { io_.stop(); });
@@ -283,6 +283,7 @@ class ExploreServer::Http {
         watch.take();
         error_code ignored;
         acceptor_.close(ignored);
+        tell_of_end();
         leave_answers_alone();
     }
 
@@ -325,6 +326,6 @@ int ExploreServer::port() const { return http_->port(); }
 std::string ExploreServer::address() const {
     return fmt::format("http://{}:{}{}", this_host, http_->port(), http_->home());
 }
-void ExploreServer::serve() { http_->serve(); }
+void ExploreServer::serve(std::function<void()> const& tell_of_end) { http_->serve(tell_of_end); }
 
 }  // namespace dataflow

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -23,8 +24,8 @@ class ExploreServer {
     /// Where the page is.
     std::string address() const;
     /// Answers until SIGINT, SIGTERM or SIGHUP comes. If an answer takes longer than half a second more, the program
-    /// ends here, with exit code 0.
-    void serve();
+    /// ends here, with exit code 0. `tell_of_end` is called before that.
+    void serve(std::function<void()> const& tell_of_end);
 
   private:
     class Http;

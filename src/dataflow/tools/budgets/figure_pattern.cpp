@@ -17,10 +17,25 @@ bool part_matches(std::string const& pattern, std::string const& part) {
     return fnmatch(pattern.c_str(), part.c_str(), 0) == 0;
 }
 
+/// That of the defaults, and every part that any configuration may have.
+Machine with_all_parts() {
+    Machine machine = machine_of(RunConfig());
+    auto const add_all = [](auto& parts) {
+        for (auto& part : parts)
+            part.is_present = true;
+    };
+    add_all(machine.processes);
+    add_all(machine.fifos);
+    add_all(machine.loops);
+    add_all(machine.memories);
+    machine.external_memory.emplace();
+    return machine;
+}
+
 /// The names of a run with one core and one sample.
 std::vector<std::string> make_template_names() {
     RunStatistics run;
-    run.machine = machine_of(RunConfig());
+    run.machine = with_all_parts();
     run.samples.resize(1);
     run.samples[0].counters.resize(design().counters().size());
     run.cores.push_back(empty_core(run.machine));

@@ -178,8 +178,9 @@ Json area_json(Machine const& machine) {
     return area;
 }
 
-/// What the page shows of a retimed run, FIFOs and loops of all cores together.
-Json figures_json(RunStatistics const& run) {
+/// What the page shows of a retimed run, FIFOs and loops of all cores together. The page has the recorded machine's
+/// classes of cycles.
+Json figures_json(RunStatistics const& run, Machine const& recorded) {
     Json figures;
     figures["outcome"] = run.deadlocked() ? "deadlock" : "finished";
     figures["cores"] = run.machine.cores;
@@ -194,7 +195,7 @@ Json figures_json(RunStatistics const& run) {
     }
     figures["total_cycles"] = run.total_cycles;
     figures["milliseconds"] = run.machine.milliseconds(run.total_cycles);
-    figures["modules"] = report::module_data(run);
+    figures["modules"] = report::module_data(run, recorded);
     figures["stalls"] = report::stall_data(run);
     figures["bound_by"] = report::diagnosis_sentences(run);
     return figures;
@@ -262,7 +263,7 @@ Json Exploration::retimed(Overrides const& overrides) {
         return figures;
     }
     RunConfig const config = changed(overrides);
-    Json figures = figures_json(*retimed_run(overrides));
+    Json figures = figures_json(*retimed_run(overrides), machine_of(recorded_.config));
     figures["schedules"] = loop_schedules(config);
     figures["yaml"] = exported_yaml(config);
     return figures;

@@ -75,7 +75,7 @@ std::string report_data(HtmlReportInput const& input) {
     data["warnings"] = input.run.warnings;
     data["graph"] = graph_data(input.run.machine);
     data["cycle_classes"] = cycle_class_data(input.run.machine);
-    data["modules"] = module_data(input.run);
+    data["modules"] = module_data(input.run, input.run.machine);
     data["stalls"] = stall_data(input.run);
     data["path_causes"] = path_cause_data(input.run.machine);
     data["critical_path"] = input.run.critical_path ? critical_path_json(input.run) : Json();

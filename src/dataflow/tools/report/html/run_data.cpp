@@ -43,19 +43,19 @@ Json headline_data(RunStatistics const& run) {
 }
 
 /// In the order of cycle_class_data().
-static Json cycles_by_class(RunStatistics const& run, std::size_t module) {
+static Json cycles_by_class(RunStatistics const& run, std::size_t module, Machine const& classes) {
     ProcessStatistics const process = process_sum(run, module);
     Json cycles = Json::array();
     for (std::size_t c = 0; c < cycle_class_count; ++c)
-        if (is_class_of(c, run.machine.external_memory.has_value()))
+        if (is_class_of(c, classes.external_memory.has_value()))
             cycles.push_back(process.cycles[c]);
     return cycles;
 }
 
-Json module_data(RunStatistics const& run) {
+Json module_data(RunStatistics const& run, Machine const& classes) {
     Json rows = Json::array();
     for (std::size_t const i : modules_of(run.machine))
-        rows.push_back({{"module", run.machine.processes[i].name}, {"cycles", cycles_by_class(run, i)}});
+        rows.push_back({{"module", run.machine.processes[i].name}, {"cycles", cycles_by_class(run, i, classes)}});
     return rows;
 }
 

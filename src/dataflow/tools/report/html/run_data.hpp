@@ -16,8 +16,8 @@ Json headline_data(RunStatistics const& run);
 /// Names of the classes of cycles and of the causes of a critical path that a machine can have.
 Json cycle_class_data(Machine const& machine);
 Json path_cause_data(Machine const& machine);
-/// Where the cycles of the modules went, all cores together.
-Json module_data(RunStatistics const& run);
+/// Where the cycles of the modules went, all cores together, by the classes of a machine that has no fewer.
+Json module_data(RunStatistics const& run, Machine const& classes);
 /// What held the modules up: a row per module and FIFO or block RAM that cost it cycles.
 Json stall_data(RunStatistics const& run);
 

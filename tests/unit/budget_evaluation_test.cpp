@@ -174,7 +174,7 @@ TEST_CASE("A name matches part by part") {
     CHECK(FigurePattern("fifos.fragment_*.*_stall_cycles").matches("fifos.fragment_index.full_stall_cycles"));
     CHECK_FALSE(FigurePattern("fifos.vertex.depth").matches("cores.0.fifos.vertex.depth"));
     CHECK(possible_names("samples.17.inlier").size() == 1);
-    CHECK(possible_names("cores.*.loops.*.*.ii").size() == 9);
+    CHECK(possible_names("cores.*.loops.*.*.ii").size() == 13);
     CHECK(possible_names("samples.x.inlier").empty());
 }
 

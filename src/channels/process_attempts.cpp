@@ -170,7 +170,6 @@ bool ProcessClock::decide(timing::Ports port, bool only_asks, std::uint64_t iter
     for (sc_core::sc_time left = left_until(timing_.local_time()); left > sc_core::SC_ZERO_TIME;
          left = left_until(timing_.local_time()))
         suspend(left);
-    rests_ = false;
     bool const found = timing_.found_at(port.first());
     say([=](OperationLog& log) {
         log.attempt(port.number(), found, only_asks, static_cast<std::uint32_t>(iterations_behind));

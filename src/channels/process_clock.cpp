@@ -62,10 +62,8 @@ void ProcessClock::require_described_ports() const {
 }
 
 void ProcessClock::begin_call() {
-    if (dataflow_core_.machine().has_calls) {
-        rests_ = rests_ && !timing_.shape()->call_start.is_in_turn;
+    if (dataflow_core_.machine().has_calls)
         say([](OperationLog& log) { log.await_call(); });
-    }
     hand_over(FifoEnd::When::call_begins);
 }
 
@@ -123,12 +121,18 @@ WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string
     return distances;
 }
 
-/// A loop that goes on with the next call is entered once: its iterations may meet those of the call before.
-void ProcessClock::begin_distances(unsigned loop) {
-    if (rests_ && entered_ == loop)
+/// Of what has just been told: where an entry begins. A loop that rewinds is entered once for calls that it goes on
+/// with, so that iterations may meet those of the call before.
+void ProcessClock::tell_distances() {
+    using Kind = timing::Operation::Kind;
+    timing::Operation const& told = log_->last();
+    bool const goes_on = rests_ && timing_.shape()->goes_on_with(told, entered_);
+    rests_ = told.kind() == Kind::leave ? timing_.loops()[entered_].rewinds : goes_on && told.kind() != Kind::enter;
+    if (told.kind() != Kind::enter)
         return;
-    for (auto const& [watched, distances] : distances_)
-        if (watched == loop)
+    entered_ = told.count();
+    for (auto const& [loop, distances] : distances_)
+        if (loop == entered_ && !goes_on)
             distances->enter();
 }
 

@@ -80,7 +80,6 @@ class ProcessClock {
     /// T += cycles.
     void advance(Cycles cycles) {
         require_outside("lets time pass");
-        rests_ = rests_ && cycles == 0;
         say([cycles](OperationLog& log) {
             Cycles left = cycles;
             for (; left > longest_count; left -= longest_count)
@@ -91,7 +90,6 @@ class ProcessClock {
     /// T += the cycles of a setup.
     void set_up() {
         require_outside("prepares something");
-        rests_ = false;
         say([](OperationLog& log) { log.setup(); });
     }
     /// Between iterations of a loop: a setup begins; the loop waits until the oldest one not awaited yet is done.
@@ -107,7 +105,6 @@ class ProcessClock {
     void here(SourceSite site = SourceSite::here()) { site_ = site; }
     /// The accesses of one step, together.
     void step(timing::Ports ports) {
-        rests_ = false;
         say([ports](OperationLog& log) { log.step(ports.number(), 0); });
     }
     /// Notes the local time, or the cycle before it: see ModuleDescription::stamps_look_back. Read back from
@@ -125,9 +122,6 @@ class ProcessClock {
         if (stream_ != nullptr)
             enter_memory(loop);
         timing_.note_loop_site(loop, site);
-        if (!distances_.empty())
-            begin_distances(loop);
-        entered_ = loop;
         say([loop](OperationLog& log) { log.enter(loop); });
     }
     /// `count` times: an iteration that accesses `ports`, then `gap` iterations that access nothing. Inlined by force:
@@ -161,7 +155,6 @@ class ProcessClock {
     void leave_loop() {
         require_loop("leaves a loop");
         is_in_loop_ = false;
-        rests_ = timing_.loops()[entered_].rewinds;
         say([](OperationLog& log) { log.leave(); });
     }
     /// All of a pipelined loop: `count` iterations of `body`, which is called with their numbers from 0 on. What it
@@ -387,6 +380,8 @@ class ProcessClock {
         entry(*log_);
         if (__builtin_expect(timing_.is_taped() ? 1 : 0, 0) != 0)
             tape(entry);
+        if (__builtin_expect(distances_.empty() ? 1 : 0, 1) == 0)
+            tell_distances();
         follow();
     }
     template <class Entry> [[gnu::noinline]] void tape(Entry entry) {
@@ -448,7 +443,7 @@ class ProcessClock {
     static timing::Ports read_port_of(FifoChannel const& fifo);
     void require_described_ports() const;
     void require_first_stage(timing::Ports port);
-    void begin_distances(unsigned loop);
+    void tell_distances();
     void require_once(timing::Ports port) const;
     [[noreturn]] void refuse_second(unsigned port) const;
     void require_named(unsigned loop, unsigned port) const;
@@ -492,8 +487,9 @@ class ProcessClock {
     };
     std::vector<Interlock> interlocks_;
     std::vector<std::pair<unsigned, WriteDistances*>> distances_;  // by loop
-    unsigned entered_ = 0;                                         // the loop, last
-    bool rests_ = false;  // since that was left nothing has been done before which it would have to drain
+    // Of the loop that was entered last, where there are distances: left, and nothing done that it drains before.
+    unsigned entered_ = 0;
+    bool rests_ = false;
     std::map<FifoEnd::When, timing::Ports> hand_overs_;
     SourceSite site_;
     bool is_away_ = true;  // its thread waits, or has not begun or is done: who calls now is another

@@ -123,16 +123,10 @@ class Child {
     void end() {
         constexpr int most_tries = 200;
         kill(process_, SIGTERM);
-        for (int i = 0; i < most_tries && is_running(); ++i)
+        for (int i = 0; i < most_tries && is_running(process_); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         kill(process_, SIGKILL);
         wait_for_end();
-    }
-
-    /// A process that has ended stays until it is waited for, so its number is not another's.
-    bool is_running() const {
-        siginfo_t info{};
-        return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
     }
 
     [[noreturn]] static void run(Task const& task, pid_t parent, int pipe, SignalsWait const& wait) {
@@ -235,6 +229,11 @@ void collect(Children& children, std::vector<bool> const& news, SignalWatch cons
 }
 
 }  // namespace
+
+bool is_running(pid_t child) {
+    siginfo_t info{};
+    return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+}
 
 void run_stream(TaskStream const& stream, std::size_t jobs, SignalWatch const& watch) {
     Children children;

@@ -5,11 +5,15 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 #include "dataflow/base/signal_watch.hpp"
 
 namespace dataflow::processes {
+
+/// Whether a child has not ended. One that has stays until it is waited for, so its number is not another's.
+bool is_running(pid_t child);
 
 /// Work for a process of its own: what it returns is sent back. Exceptions end the process with exit code 1.
 struct Task {

@@ -13,6 +13,7 @@
 
 #include "dataflow/base/files/c_file.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/process_pool.hpp"
 
 namespace dataflow {
 
@@ -38,13 +39,8 @@ std::string read_all(std::FILE* file) {
     throw HostError(fmt::format("{}: {}, expected a program that works", program, what));
 }
 
-/// A process that has ended stays until it is waited for, so its number is not another's.
 void kill_once_unwanted(pid_t process, std::function<bool()> const& is_wanted) {
-    siginfo_t info{};
-    auto const is_running = [&] {
-        return waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
-    };
-    while (is_running() && is_wanted())
+    while (processes::is_running(process) && is_wanted())
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     kill(process, SIGKILL);
 }

@@ -87,6 +87,8 @@ class OperationLog {
     }
     void append(Operation const& operation) { operations_.push_back(operation); }
 
+    /// What was told last, until any of it is taken.
+    Operation const& last() const { return operations_.back(); }
     bool exhausted() const { return next_ == operations_.size(); }
     std::size_t pending() const { return operations_.size() - next_; }
     /// The front operation, never a mix or a flanked one: what is simple at its start is split off.

@@ -21,10 +21,9 @@ SizedChoice sized(Choice const& choice, Cycles total_cycles, FifoFrame const& fr
 }
 
 /// The deepest that the primitives of an answer hold.
-Choice holding(Choice choice, Sizing const& sizing) {
-    Freedoms const freedoms = freedoms_of(sizing.machine);
-    for (std::size_t const i : fifos_of(sizing.machine))
-        choice[i] = deepest_alike(choice[i], freedoms[i], sizing.options.weights);
+Choice holding(Choice choice, Machine const& machine, FifoFrame const& frame) {
+    for (std::size_t const i : fifos_of(machine))
+        choice[i] = deepest_alike(choice[i], frame.freedoms[i], frame.weights);
     return choice;
 }
 
@@ -112,7 +111,7 @@ Sizing size_fifos(replay::RecordedRun const& run, RunConfig const& config, Sizin
     sizing.is_proven = found.is_proven;
     sizing.is_given_up = found.is_given_up;
     sizing.least_cost = found.least_cost;
-    sizing.holds = holding(found.choice, sizing);
+    sizing.holds = holding(found.choice, machine, frame);
     if (!times.is_monotone())
         sizing.holds_cycles = times.total_cycles(sizing.holds, options.jobs);
 

@@ -68,17 +68,10 @@ void ProcessClock::tell_ports() {
 
 // How far it is within an iteration is told to the log that gets cycles alone: no recording needs it.
 
-/// Behind all accesses of a step in the window at hand.
-void ProcessClock::reach_step(std::uint64_t step) {
+/// Of the window at hand, in front of the accesses of a step, or behind all of them.
+void ProcessClock::reach_step(std::uint64_t step, bool stops_before) {
     tell_ports();
-    timing_.log().reach_step(static_cast<std::uint32_t>(2 * (step - reached_)));
-    follow();
-}
-
-/// In front of them.
-void ProcessClock::come_to_step(std::uint64_t step) {
-    tell_ports();
-    timing_.log().reach_step(static_cast<std::uint32_t>(2 * (step - reached_) + 1));
+    timing_.log().reach_step(step - reached_, stops_before);
     follow();
 }
 
@@ -139,7 +132,7 @@ bool ProcessClock::attempts(FifoChannel const& fifo, timing::Ports port, bool on
     if (!only_asks)
         attempted_ = attempted_ | port;
     take_before(step);
-    reach_step(step);
+    reach_step(step, false);
     take_before(step + 1);
     return decide(port, only_asks, 0);
 }
@@ -160,7 +153,7 @@ void ProcessClock::attempt_later(FifoChannel const& fifo, timing::Ports port,
 
 /// Of an iteration whose step lies in the window at hand.
 bool ProcessClock::attempts_in(timing::Ports port, std::uint64_t step) {
-    reach_step(step);
+    reach_step(step, false);
     return decide(port, false, step_of(port.first()) / timing_.loops()[pipelined_].interval.achieved);
 }
 

@@ -121,25 +121,19 @@ WriteDistances* ProcessClock::write_distances(std::string_view loop, std::string
     return distances;
 }
 
-/// Of what has just been told: where an entry begins. A loop that rewinds is entered once for calls that it goes on
-/// with, so that iterations may meet those of the call before.
+/// Of what has just been told: iterations meet those of the same entry.
 void ProcessClock::tell_distances() {
-    using Kind = timing::Operation::Kind;
-    timing::Operation const& told = log_->last();
-    bool const goes_on = rests_ && timing_.shape()->goes_on_with(told, entered_);
-    rests_ = told.kind() == Kind::leave ? timing_.loops()[entered_].rewinds : goes_on && told.kind() != Kind::enter;
-    if (told.kind() != Kind::enter)
+    if (!entries_.take(log_->last(), *timing_.shape()))
         return;
-    entered_ = told.count();
     for (auto const& [loop, distances] : distances_)
-        if (loop == entered_ && !goes_on)
+        if (loop == entries_.loop)
             distances->enter();
 }
 
 bool ProcessClock::reads_first(unsigned loop) const {
     timing::LoopShape const& shape = timing_.loops()[loop];
     return !shape.makes_attempts && std::all_of(shape.reads.begin(), shape.reads.end(),
-                                                [](timing::LoopRead const& read) { return read.stage == 0; });
+                                                [](timing::LoopAccess const& read) { return read.stage == 0; });
 }
 
 bool ProcessClock::has_interlocks(unsigned loop) const {
@@ -168,13 +162,13 @@ timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.
 
 void ProcessClock::open_loop(unsigned loop, SourceSite site) {
     enter_loop(loop, site);
-    std::vector<timing::LoopRead> const& reads = timing_.loops()[loop].reads;
+    std::vector<timing::LoopAccess> const& reads = timing_.loops()[loop].reads;
     pipelined_ = loop;
     is_pipelining_ = true;
     sound_ = sound_by_loop_[loop];
     makes_attempts_ = timing_.loops()[loop].makes_attempts;
     is_held_ = makes_attempts_ ||
-               std::any_of(reads.begin(), reads.end(), [](timing::LoopRead const& read) { return read.stage > 0; });
+               std::any_of(reads.begin(), reads.end(), [](timing::LoopAccess const& read) { return read.stage > 0; });
     may_wait_ = has_interlocks(loop);
     is_plain_ = !is_held_ && !may_wait_ && !lockstep() && !timing_.is_taped();
     has_begun_ = false;
@@ -203,7 +197,7 @@ void ProcessClock::take_before(std::uint64_t step) {
         takings_.pop_front();
         if (makes_attempts_) {
             if (!taking.reads.is_empty() && taking.step > reached_) {
-                come_to_step(taking.step);
+                reach_step(taking.step, true);
                 taken_ = timing::no_ports;
             }
         } else {

@@ -35,8 +35,7 @@ class ProcessClock {
     ProcessClock(DataflowCore& core, std::string_view process);
 
     /// Takes the process's ends of all FIFOs that the machine says it has. Once, at the end of elaboration: the core's
-    /// channels must be there. Errors: InputError if a FIFO of the process has no channel, and for a loop that rewinds
-    /// and cannot.
+    /// channels must be there. Errors: InputError if a FIFO of the process has no channel.
     void connect_all();
     /// The number of a loop for enter_loop(), by its name in the process. After connect_all().
     /// Errors: InputError if the process has no such loop.
@@ -462,8 +461,7 @@ class ProcessClock {
     std::uint64_t step_of(unsigned port) const;
     void tell_ports();
     void tell_behind_attempt(timing::Ports port);
-    void reach_step(std::uint64_t step);
-    void come_to_step(std::uint64_t step);
+    void reach_step(std::uint64_t step, bool stops_before);
     void require_attempts(FifoChannel const& fifo, timing::Ports port) const;
     static timing::Ports write_port_of(FifoChannel const& fifo);
     void later(FifoChannel const& fifo, std::function<void()> taking);
@@ -487,9 +485,7 @@ class ProcessClock {
     };
     std::vector<Interlock> interlocks_;
     std::vector<std::pair<unsigned, WriteDistances*>> distances_;  // by loop
-    // Of the loop that was entered last, where there are distances: left, and nothing done that it drains before.
-    unsigned entered_ = 0;
-    bool rests_ = false;
+    timing::LoopEntries entries_;                                  // where there are distances
     std::map<FifoEnd::When, timing::Ports> hand_overs_;
     SourceSite site_;
     bool is_away_ = true;  // its thread waits, or has not begun or is done: who calls now is another

@@ -19,9 +19,7 @@ timing::Ports ProcessClock::memory_port() const {
 }
 
 void ProcessClock::tell_entry(timing::MemoryEntry entry) {
-    std::uint64_t tokens = 0;
-    for (timing::MemoryBlock const& block : entry.blocks)
-        tokens += block.all_tokens();
+    std::uint64_t const tokens = entry.all_tokens();
     tokens_told_ += tokens;
     if (is_taken_by_loop())
         entries_told_.push_back(tokens);

@@ -15,13 +15,6 @@
 namespace dataflow {
 
 namespace {
-CriticalPath path_through(DataflowAccelerator const& accelerator) {
-    std::vector<timing::CoreTiming const*> cores;
-    for (auto const& core : accelerator.cores())
-        cores.push_back(&static_cast<DataflowCore const&>(*core).timing());
-    return replay::critical_path_of(cores, accelerator.machine());
-}
-
 /// Whether the first core's samples have got their cycles. Not while a thread works them out.
 bool has_done(DataflowAccelerator const& accelerator, std::size_t samples) {
     timing::CoreTiming const& timing = accelerator.cores().front()->timing();
@@ -99,7 +92,9 @@ RunStatistics simulate(DataflowAccelerator& accelerator, SimulationOptions const
     if (taping)
         taping->finish();
     if (options.critical_path && !run.deadlocked())
-        run.critical_path = path_through(accelerator);
+        run.critical_path = CriticalPath{
+            run.last_core(),
+            replay::critical_path_of(accelerator.cores()[run.last_core()]->timing(), accelerator.machine())};
     for (std::size_t i = 0; i < run.cores.size(); ++i)
         run.cores[i].dependences = accelerator.cores()[i]->dependences();
     recordings.finish(run.deadlocked() ? run.deadlock_cycle() + 1 : run.core_cycles());

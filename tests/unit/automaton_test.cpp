@@ -79,7 +79,7 @@ struct Machine {
         }
     }
 
-    static LoopShape loop(Dice& dice, Cycles depth, std::vector<LoopWrite> writes) {
+    static LoopShape loop(Dice& dice, Cycles depth, std::vector<LoopAccess> writes) {
         LoopShape shape;
         shape.interval.achieved = shape.interval.target = dice.chance(70) ? 1 : dice.between(2, 3);
         shape.depth = depth;

@@ -22,7 +22,7 @@ FifoShape shape(char const* name, std::uint64_t capacity, Cycles read_latency = 
     return result;
 }
 
-LoopShape loop(Cycles ii, Cycles depth, std::vector<LoopWrite> writes) {
+LoopShape loop(Cycles ii, Cycles depth, std::vector<LoopAccess> writes) {
     LoopShape result;
     result.name = "loop";
     result.interval = schedule(ii, 1, {});

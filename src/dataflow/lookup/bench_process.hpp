@@ -38,7 +38,7 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
     using Rules::state;
     static constexpr unsigned no_port = RelativeState::no_port;
 
-    /// `figures` are those of its loops and setups, see RelativeState::enter(), which grow.
+    /// `figures` are those of its loops and setups, see RelativeState::blocks_of(), which grow.
     BenchProcess(ProcessTiming const& process, FigureBlock* figures, Trail* trail);
     void connect(BenchPort const& port) { ports_[port.number] = port; }
 
@@ -78,12 +78,13 @@ class BenchProcess : private BulkRuns<BenchProcess, BenchPort> {
         state_.time = cycle;
     }
 
-    /// Of a flushing pipeline: whether it holds tokens, or one for which there is not known to be room; its port; and
-    /// lets it take in bubbles as long as nothing can be read from `port` before a cycle, and it does not stand still.
-    /// Whether it does, then.
+    // Of its flushing pipeline.
+
     bool holds_tokens() const { return !state_.flushing.is_empty(); }
+    /// For a token, as far as is known.
     bool awaits_room() const { return state_.flushing.is_waiting(); }
     unsigned flushing_port() const { return shape_->flushing_port; }
+    /// Takes in bubbles up to the cycle from which on a port can be read, or until it stands still: whether it does.
     bool idle_until(std::int64_t cycle, unsigned number) {
         auto const step = state_.flushing.step_from(state_.time, cycle);
         go_to(step, ports_[number]);

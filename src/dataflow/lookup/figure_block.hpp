@@ -9,7 +9,7 @@
 namespace dataflow::timing {
 
 /// What a transition adds to the figures of a loop or a FIFO that only grow: three are summed up, of one only the
-/// largest counts. Which they are, and of whom: see RelativeState::enter().
+/// largest counts. Which they are, and of whom: see RelativeState::blocks_of().
 struct FigureBlock {
     std::array<std::uint32_t, 3> sums;
     std::uint16_t largest;

@@ -4,10 +4,6 @@
 
 namespace dataflow::timing {
 
-namespace {
-ProcessMask bit_of(unsigned process) { return ProcessMask{1} << process; }
-}  // namespace
-
 std::unique_ptr<PhraseCore> make_core() { return std::make_unique<FollowedCore>(); }
 std::shared_ptr<Answers> make_answers() { return std::make_shared<Automaton>(); }
 
@@ -99,7 +95,7 @@ void FollowedCore::go_on(bool to_the_end) {
             Automaton::Progress const progress = automaton_->follow(*group(), session_);
             if (progress.later && !to_the_end)
                 break;
-            if (!let_driver_go() && !progress.moved)
+            if (!let_driver_go() && !progress.moved && !keep_more())
                 break;
         }
     }

@@ -54,7 +54,7 @@ class RelativeState {
     /// Moves a follower back to when it arrived at its step, where it waits for a port since a cycle. Of the waits
     /// before that, the latest is first.
     void unpark(unsigned member, unsigned port, Cycles arrival, Cycles since, std::vector<EarlierWait> const& waits);
-    /// Cycles from which on there is room in FIFO `f`, and how to set them: see Automaton on frozen writers.
+    /// Cycles from which on there is room in a FIFO, and how to set them: a frozen writer needs to know them later.
     std::vector<Cycles> room_times(unsigned fifo) const;
     void set_room_time(unsigned fifo, std::uint64_t i, Cycles cycle);
 

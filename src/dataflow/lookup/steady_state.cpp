@@ -277,7 +277,7 @@ void SteadyState::go_on(End const& end, std::uint64_t accesses, Cycles stalls, s
 void SteadyState::leave_trail(std::uint64_t periods, Cycles cycles) const {
     ProcessMask mask = 0;
     for (ProcessTiming const* process : group_)
-        mask |= ProcessMask{1} << process->index();
+        mask |= bit_of(process->index());
     if (leader_->trail() != nullptr)
         leader_->trail()->repeated(before_.trail_mark, mask, periods, cycles);
 }

@@ -15,11 +15,8 @@ namespace dataflow::timing {
 /// and who is at the other end need not repeat itself.
 class SteadyState {
   public:
-    /// Iterations left in a run, below which jumping does not pay.
-    static constexpr std::uint32_t worthwhile_count = ProcessTiming::long_count;
-
-    /// To be called whenever `process`, one of `processes` of a core, with that much left to do is
-    /// about to advance. The bits of the processes outside its group that may go on because of it.
+    /// To be called whenever `process`, one of `processes` of a core, with ProcessTiming::long_count iterations left to
+    /// do is about to advance. The bits of the processes outside its group that may go on because of it.
     ProcessMask observe(ProcessTiming& process, std::deque<ProcessTiming>& processes);
 
   private:
@@ -37,7 +34,7 @@ class SteadyState {
         FifoTiming* fifo;
         bool writes;
         std::uint64_t free;  ///< accesses to come that have nothing to wait for
-        bool open() const { return free >= worthwhile_count; }
+        bool open() const { return free >= ProcessTiming::long_count; }
 
         std::uint64_t known() const { return writes ? fifo->known_writes() : fifo->known_reads(); }
         Cycles earliest(std::uint64_t i) const { return writes ? fifo->earliest_write(i) : fifo->earliest_read(i); }
@@ -80,15 +77,15 @@ class SteadyState {
     std::vector<FifoTiming*> fifos_;  // those between closed ends
     ProcessTiming* leader_ = nullptr;
     std::uint64_t leader_run_ = 0;
-    unsigned looks_ = 0;                                                   // at this run so far
-    unsigned others_ = 0;                                                  // that went on since the last
-    std::array<std::uint64_t, 8 * sizeof(ProcessMask)> given_up_{};        // numbers of runs, by process
-    std::array<std::vector<FreeAccesses>, 8 * sizeof(ProcessMask)> free_;  // by process and port
+    unsigned looks_ = 0;                                          // at this run so far
+    unsigned others_ = 0;                                         // that went on since the last
+    std::array<std::uint64_t, most_processes> given_up_{};        // numbers of runs, by process
+    std::array<std::vector<FreeAccesses>, most_processes> free_;  // by process and port
     struct Pause {
         unsigned calls = 0;  ///< twice as many each time, until the group is found
         unsigned left = 0;
     };
-    std::array<Pause, 8 * sizeof(ProcessMask)> pauses_{};  // by process
+    std::array<Pause, most_processes> pauses_{};  // by process
     Snapshot before_;
     Snapshot now_;
 };

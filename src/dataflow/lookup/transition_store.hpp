@@ -49,8 +49,6 @@ class TransitionStore {
         Element const* last;
         Element const* begin() const { return first; }
         Element const* end() const { return last; }
-        Element const* data() const { return first; }
-        std::size_t size() const { return static_cast<std::size_t>(last - first); }
     };
 
     TransitionStore();

@@ -40,6 +40,8 @@ struct Stimulus {
     Image<std::uint8_t> observed_edges;   ///< height x width, 0 or 1
 
     bool is_posed() const { return !posed.poses.empty(); }
+    /// Where the window of a sample begins whose centre is in this row, or column (docs/function.md#samples-and-cores).
+    std::int64_t window_offset(std::int32_t centre) const { return std::int64_t{centre} - window / 2; }
 };
 
 /// What one sample leaves behind, for comparing model and reference: W x W pictures of its window.

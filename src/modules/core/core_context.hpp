@@ -38,8 +38,6 @@ struct CoreContext {
     SampleProbe* probe = nullptr;  ///< may be null: see show_edge_maps(), show_depth_buffer()
 
     SampleInput const& sample(std::size_t i) const { return stimulus.samples[first_sample + i]; }
-    /// Top-left pixel of a sample's window (docs/function.md#samples-and-cores).
-    std::int64_t window_offset(std::int32_t centre) const { return std::int64_t{centre} - stimulus.window / 2; }
     /// The window as the tokens of edge_map, observed_depth and observed_edge carry it.
     LaneRows window_rows() const { return {stimulus.window, config.inlier_unit.sweep_lanes}; }
     /// The part of it that a box of pixels covers.

@@ -41,18 +41,6 @@ UnitLogic lane_logic(char const* unit, int lanes, std::vector<UnitKey> keys) {
     return logic;
 }
 
-UnitLogic output_of_map(AcceleratorConfig const& config) {
-    return lane_logic("lane_map_output", config.inlier_unit.sweep_lanes,
-                      {buffers_key(config.edge_map.buffers), window_key(config)});
-}
-UnitLogic sweep(AcceleratorConfig const& config) {
-    UnitLogic logic = lane_logic("lane_sweep", config.inlier_unit.sweep_lanes,
-                                 {region_key(config), buffers_key(config.inlier_unit.buffers), window_key(config)});
-    if (counts_hidden(config.inlier_unit))
-        logic += lane_logic("lane_hidden_pixels", config.inlier_unit.sweep_lanes, {});
-    return logic;
-}
-
 }  // namespace
 
 UnitLogic lane_rasterizer_logic(AcceleratorConfig const& config) {
@@ -66,12 +54,15 @@ UnitLogic lane_map_builder_logic(AcceleratorConfig const& config, Machine const&
     UnitLogic logic = lane_logic("lane_map_builder", config.rasterizer.lanes,
                                  {region_key(config), buffers_key(config.edge_map.buffers), window_key(config)});
     if (config.edge_map.buffers == 1)
-        logic += output_of_map(config);
+        logic += lane_map_output_logic(config);
     logic += banks_of(config, machine, "object_map", "banked_map", config.edge_map.buffers);
     return logic;
 }
 
-UnitLogic lane_map_output_logic(AcceleratorConfig const& config) { return output_of_map(config); }
+UnitLogic lane_map_output_logic(AcceleratorConfig const& config) {
+    return lane_logic("lane_map_output", config.inlier_unit.sweep_lanes,
+                      {buffers_key(config.edge_map.buffers), window_key(config)});
+}
 
 UnitLogic lane_observation_logic(AcceleratorConfig const& config) {
     UnitLogic logic =
@@ -88,11 +79,17 @@ UnitLogic lane_inlier_logic(AcceleratorConfig const& config, Machine const& mach
                                   number_key("area_reciprocal", config.fraction_bits.area_reciprocal, 30),
                                   number_key("fragment_depth", config.fraction_bits.fragment_depth, 18)});
     if (config.inlier_unit.buffers == 1)
-        logic += sweep(config);
+        logic += lane_sweep_logic(config);
     logic += banks_of(config, machine, "depth_buffer", "banked_depths", config.inlier_unit.buffers);
     return logic;
 }
 
-UnitLogic lane_sweep_logic(AcceleratorConfig const& config) { return sweep(config); }
+UnitLogic lane_sweep_logic(AcceleratorConfig const& config) {
+    UnitLogic logic = lane_logic("lane_sweep", config.inlier_unit.sweep_lanes,
+                                 {region_key(config), buffers_key(config.inlier_unit.buffers), window_key(config)});
+    if (counts_hidden(config.inlier_unit))
+        logic += lane_logic("lane_hidden_pixels", config.inlier_unit.sweep_lanes, {});
+    return logic;
+}
 
 }  // namespace faster

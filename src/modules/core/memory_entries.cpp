@@ -64,8 +64,8 @@ timing::MemoryEntry mesh_entry(MemoryPlacement const& placement, std::size_t i, 
 
 timing::MemoryEntry table_entry(MemoryPlacement const& placement, std::size_t i, Stimulus const& stimulus,
                                 SampleInput const& sample) {
-    std::int64_t const top = std::int64_t{sample.centre_row} - stimulus.window / 2;
-    std::int64_t const left = std::int64_t{sample.centre_col} - stimulus.window / 2;
+    std::int64_t const top = stimulus.window_offset(sample.centre_row);
+    std::int64_t const left = stimulus.window_offset(sample.centre_col);
     Extent const rows = within(top, top + stimulus.window, stimulus.height);
     Extent const cols = within(left, left + stimulus.window, stimulus.width);
     timing::MemoryEntry entry{i, {}};
@@ -81,10 +81,8 @@ timing::MemoryEntry pixel_entry(MemoryPlacement const& placement, std::size_t i,
                                 SampleInput const& sample, LaneRows const& rows) {
     auto const whole_cols = static_cast<std::int64_t>(rows.tokens_per_row() * rows.lanes());
     std::int64_t const cols = std::min(whole_cols, stimulus.window - static_cast<std::int64_t>(rows.first_col()));
-    std::int64_t const top =
-        std::int64_t{sample.centre_row} - stimulus.window / 2 + static_cast<std::int64_t>(rows.first_row());
-    std::int64_t const left =
-        std::int64_t{sample.centre_col} - stimulus.window / 2 + static_cast<std::int64_t>(rows.first_col());
+    std::int64_t const top = stimulus.window_offset(sample.centre_row) + static_cast<std::int64_t>(rows.first_row());
+    std::int64_t const left = stimulus.window_offset(sample.centre_col) + static_cast<std::int64_t>(rows.first_col());
     Extent const in_rows = within(top, top + static_cast<std::int64_t>(rows.rows()), stimulus.height);
     Extent const in_cols = within(left, left + cols, stimulus.width);
     timing::MemoryBlock block;

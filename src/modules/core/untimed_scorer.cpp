@@ -37,8 +37,8 @@ UntimedScorer::UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge
 }
 
 SampleCounters UntimedScorer::score(Pose const& pose, SampleInput const& input) {
-    window_.row = clamped_offset(std::int64_t{input.centre_row} - window_.side / 2);
-    window_.col = clamped_offset(std::int64_t{input.centre_col} - window_.side / 2);
+    window_.row = clamped_offset(stimulus_.window_offset(input.centre_row));
+    window_.col = clamped_offset(stimulus_.window_offset(input.centre_col));
     maps_->clear();
     clear_drawn_rows();
     has_token_ = false;

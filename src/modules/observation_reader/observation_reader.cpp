@@ -106,8 +106,9 @@ void ObservationReader::send_valid_depth(std::size_t i) {
         clock_.tell_entry(table_entry(core_.config.memory_placement, i, core_.stimulus, sample));
     table_read_.run(reads, [](std::size_t /*first*/, std::size_t /*count*/) {});
     clock_.here();
-    valid_depth_out->write(valid_depth_->count(core_.window_offset(sample.centre_row),
-                                               core_.window_offset(sample.centre_col), core_.stimulus.window));
+    Stimulus const& stimulus = core_.stimulus;
+    valid_depth_out->write(valid_depth_->count(stimulus.window_offset(sample.centre_row),
+                                               stimulus.window_offset(sample.centre_col), stimulus.window));
     clock_.advance(1);
 }
 
@@ -120,8 +121,9 @@ void ObservationReader::send_pixels(SampleHeader const& header, LaneRows const& 
         clock_.advance(1);
         return;
     }
-    std::int64_t const first_row = core_.window_offset(header.centre_row) + static_cast<std::int64_t>(rows.first_row());
-    std::int64_t const first_col = core_.window_offset(header.centre_col);
+    std::int64_t const first_row =
+        core_.stimulus.window_offset(header.centre_row) + static_cast<std::int64_t>(rows.first_row());
+    std::int64_t const first_col = core_.stimulus.window_offset(header.centre_col);
     read_.enter();
     for (std::int64_t row = first_row; row < first_row + static_cast<std::int64_t>(rows.rows()); ++row)
         read_.take(rows.tokens_per_row(),

@@ -18,7 +18,8 @@ struct WindowPlace {
     int col = 0;
 
     static WindowPlace of(CoreContext const& core, SampleHeader const& header) {
-        return {clamped(core.window_offset(header.centre_row)), clamped(core.window_offset(header.centre_col))};
+        return {clamped(core.stimulus.window_offset(header.centre_row)),
+                clamped(core.stimulus.window_offset(header.centre_col))};
     }
     EdgeToken token(int image_row, int image_col, EdgeTokenKind kind) const {
         return {static_cast<std::int16_t>(image_row - row), static_cast<std::int16_t>(image_col - col), kind};

@@ -25,7 +25,6 @@ class ResultCollector : public sc_core::sc_module {
     ResultCollector(sc_core::sc_module_name const& name, CoreContext const& core);
     /// By sample of this core.
     std::vector<SampleCounters> const& results() const { return results_; }
-    /// Its stamps are the cycles of the result reads: the samples' end cycles.
 
   private:
     void end_of_elaboration() override;

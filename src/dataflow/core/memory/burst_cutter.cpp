@@ -49,23 +49,25 @@ void BurstCutter::begin_block(MemoryBlock const& block) {
     if (!fetches)
         return;
     block_ = &block;
-    row_ = 0;
-    row_address_ = at_ = block.address;
-    token_ = block.lead / block.token_bytes;
+    begin_row(0);
+}
+
+void BurstCutter::begin_row(std::uint64_t row) {
+    row_ = row;
+    row_address_ = at_ = block_->address + row * block_->pitch;
+    token_ = block_->lead / block_->token_bytes;
     free_tokens_ += token_;
 }
 
 void BurstCutter::skip_to_next_row() {
     MemoryBlock const& block = *block_;
     free_tokens_ += block.tokens - token_;
-    if (++row_ == block.fetched_rows) {
+    if (row_ + 1 == block.fetched_rows) {
         free_tokens_ += (block.rows - block.first_row - block.fetched_rows) * block.tokens;
         block_ = nullptr;
         return;
     }
-    row_address_ = at_ = block.address + row_ * block.pitch;
-    token_ = block.lead / block.token_bytes;
-    free_tokens_ += token_;
+    begin_row(row_ + 1);
 }
 
 void BurstCutter::cut() {

@@ -26,6 +26,7 @@ class BurstCutter {
   private:
     bool find_piece();
     void begin_block(MemoryBlock const& block);
+    void begin_row(std::uint64_t row);
     void skip_to_next_row();
     void cut();
     std::uint64_t end_of_row() const { return row_address_ + block_->bytes; }

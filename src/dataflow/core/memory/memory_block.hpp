@@ -25,6 +25,13 @@ struct MemoryBlock {
 struct MemoryEntry {
     std::uint64_t sample = 0;  ///< of its core, from 0 on
     std::vector<MemoryBlock> blocks;
+
+    std::uint64_t all_tokens() const {
+        std::uint64_t tokens = 0;
+        for (MemoryBlock const& block : blocks)
+            tokens += block.all_tokens();
+        return tokens;
+    }
 };
 
 /// A piece of a range that is asked for at once. A token ends in the burst that has its last byte.

@@ -20,10 +20,7 @@ class Loader {
         loop.uses_stream = true;
         loop.reads = {{process_.add_stream(core_.add_stream("load", MemoryStream::EntersBy::loop)), 0}};
         process_.add_loop(std::move(loop));
-        std::uint64_t beats = 0;
-        for (MemoryBlock const& block : entry.blocks)
-            beats += block.all_tokens();
-        if (beats > 0)
+        if (std::uint64_t const beats = entry.all_tokens(); beats > 0)
             take(beats);
     }
 

@@ -13,7 +13,7 @@ namespace dataflow::timing {
 /// header stream's takes if it prefetches what headers tell of.
 class MemoryMaster {
   public:
-    /// Cycles in which a core's headers were handed out, and one; by sample.
+    /// The cycle after that in which a core's header was handed out; by sample.
     using HandedOut = std::deque<Cycles>;
 
     MemoryMaster(ExternalMemory const& shape, MemoryStream& stream, Prefetch prefetch, HandedOut const& handed_out);

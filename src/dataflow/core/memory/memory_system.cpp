@@ -115,7 +115,7 @@ void MemorySystem::settle(std::size_t core, ProcessMask woken) {
         woken = 0;
         for (std::size_t master = core * shapes_.size(); master < (core + 1) * shapes_.size(); ++master)
             if (follow_master(master))
-                woken |= ProcessMask{1} << masters_[master].target.process;
+                woken |= bit_of(masters_[master].target.process);
     } while (woken != 0);
 }
 
@@ -127,7 +127,7 @@ Cycles MemorySystem::wake(Served const& served) {
     Target const target = masters_[served.master].target;
     Core& core = cores_[target.core];
     Cycles const own = core.timing->process(target.process).not_before();
-    core.woken |= ProcessMask{1} << target.process;
+    core.woken |= bit_of(target.process);
     core.goes_on_from = std::min(core.goes_on_from, std::max(own, served.first_readable));
     return core.goes_on_from;
 }

@@ -18,17 +18,8 @@ bool ProcessTiming::choose(Operation const& operation) {
     switch (operation.gap()) {
         case Operation::ports_of_window:
             return add_ports(operation.ports());
-        case Operation::step_to_reach: {
-            Cycles const step = operation.count() / 2;
-            bool const stops_before = operation.count() % 2 != 0 && step > 0;
-            if (!reach_step(stops_before ? step - 1 : step))
-                return false;
-            if (stops_before && state_.pipeline.offset < step) {
-                pass(step - state_.pipeline.offset);
-                state_.pipeline.offset = step;
-            }
-            return true;
-        }
+        case Operation::step_to_reach:
+            return reach_step(operation.step(), operation.stops_before());
         case Operation::end_of_window:
             return end_window();
         default:
@@ -61,10 +52,10 @@ bool ProcessTiming::add_ports(Ports::Number ports) {
 }
 
 /// To the step, without what may be told of it yet.
-bool ProcessTiming::reach_step(Cycles step) {
+bool ProcessTiming::reach_step(Cycles step, bool stops_before) {
     PipelinePosition& pipeline = state_.pipeline;
     open_window();
-    if (!pass_phases_to(step))
+    if (!pass_phases_to(stops_before && step > 0 ? step - 1 : step))
         return false;
     if (step > pipeline.offset)
         pass(step - pipeline.offset);
@@ -123,7 +114,7 @@ bool ProcessTiming::reach_attempt(unsigned port, std::uint64_t behind) {
         deviates(port, state_.time);
         return true;
     }
-    return reach_step(*offset);
+    return reach_step(*offset, false);
 }
 
 /// Nothing if the step is in another window than when it was told.

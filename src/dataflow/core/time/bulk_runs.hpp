@@ -26,8 +26,8 @@ template <class Process, class Port> class BulkRuns : public ProcessRules<Proces
     /// Equal iterations from which on it pays to look for a steady state.
     static constexpr std::uint32_t long_count = 64;
 
-    /// Iterations at hand of a loop that takes from memory, if all that are in its pipeline access what they do: as
-    /// long as what they take is there, each does what an iteration does of a loop that takes nothing.
+    /// Of a loop that takes tokens from memory: the iterations at hand, if those in its pipeline access the same ports,
+    /// otherwise 0. As long as their tokens have arrived, they take what iterations of a loop without memory do.
     std::uint32_t alike_iterations() const {
         if (log_.exhausted() || !is_in_stream_loop())
             return 0;

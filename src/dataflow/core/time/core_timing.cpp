@@ -5,15 +5,11 @@
 
 namespace dataflow::timing {
 
-namespace {
-template <class Number> ProcessMask bit(Number process) { return ProcessMask{1} << process; }
-}  // namespace
-
 FifoTiming& CoreTiming::add_fifo(FifoShape shape) { return fifos_.emplace_back(std::move(shape)); }
 
 ProcessTiming& CoreTiming::add_process(std::string name, std::shared_ptr<ProcessShape> shape) {
     if (processes_.size() == most_processes)
-        throw std::logic_error(name + ": a core has at most 64 processes");
+        throw std::logic_error(name + ": a core has at most " + std::to_string(most_processes) + " processes");
     return processes_.emplace_back(std::move(name), static_cast<unsigned>(processes_.size()), std::move(shape));
 }
 
@@ -44,7 +40,7 @@ void CoreTiming::connect() {
                 continue;
             Ends const& both = ends_[number_of(process.fifo(port))];
             int const other = process.writes(port) ? both.reader : both.writer;
-            process.set_neighbour(port, other < 0 ? 0 : bit(other));
+            process.set_neighbour(port, other < 0 ? 0 : bit_of(static_cast<std::size_t>(other)));
         }
     find_patient();
     note_connected();
@@ -93,8 +89,10 @@ void CoreTiming::find_patient() {
     for (std::size_t i = 0; i < fifos_.size(); ++i) {
         if (fifos_[i].shape().capacity >= deep || ends_[i].writer < 0 || ends_[i].reader < 0)
             continue;
-        patient_[static_cast<std::size_t>(ends_[i].writer)] &= ~bit(ends_[i].reader);
-        patient_[static_cast<std::size_t>(ends_[i].reader)] &= ~bit(ends_[i].writer);
+        auto const writer = static_cast<std::size_t>(ends_[i].writer);
+        auto const reader = static_cast<std::size_t>(ends_[i].reader);
+        patient_[writer] &= ~bit_of(reader);
+        patient_[reader] &= ~bit_of(writer);
     }
 }
 
@@ -105,8 +103,8 @@ void CoreTiming::settle(ProcessMask runnable, ProcessMask held) {
         // fill or to empty comes last, and then has much to do at once.
         ProcessMask const next = runnable != 0 ? runnable : later;
         auto const index = 63U - static_cast<unsigned>(__builtin_clzll(next));
-        runnable &= ~bit(index);
-        later &= ~bit(index);
+        runnable &= ~bit_of(index);
+        later &= ~bit_of(index);
         ProcessTiming& process = processes_[index];
         if (process.finished())
             continue;
@@ -119,7 +117,6 @@ void CoreTiming::settle(ProcessMask runnable, ProcessMask held) {
     }
 }
 
-/// Of unlimited FIFOs; false: none has to.
 bool CoreTiming::keep_more() {
     bool keeps_more = false;
     for (FifoTiming& fifo : fifos_)

@@ -29,8 +29,6 @@ struct BlockedProcess {
 /// and gives cycles by what it remembers: the same ones.
 class CoreTiming {
   public:
-    static constexpr std::size_t most_processes = 64;  ///< a bit each
-
     CoreTiming() = default;
     virtual ~CoreTiming() = default;
     CoreTiming(CoreTiming const&) = delete;
@@ -122,11 +120,12 @@ class CoreTiming {
         return processes_.empty() ? 0 : ~ProcessMask{0} >> (most_processes - processes_.size());
     }
     std::deque<ProcessTiming>& own_processes() { return processes_; }
+    /// Of unlimited FIFOs whose writers have got ahead as far as cycles are kept; false: of none.
+    bool keep_more();
 
   private:
     std::string name_at_other_end(ProcessTiming const& process, unsigned port) const;
     void find_patient();
-    bool keep_more();
 
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<MemoryStream> streams_;

@@ -28,25 +28,21 @@ FifoTiming FifoTiming::of_memory(std::string name, bool writes) {
     shape.capacity = FifoShape::unlimited;
     FifoTiming timing(shape);
     timing.is_stream_ = true;
-    if (!writes) {
+    if (!writes)
         timing.rules_.free = CycleRing(room_kept(shape));
-        timing.room_ = room_kept(shape);
-    }
     return timing;
 }
 
 void FifoTiming::make_room() {
     rules_.readable.grow();
     rules_.free.grow();
-    room_ = 2 * room_ + 1;
+    rules_.room = 2 * rules_.room + 1;
 }
 
 void FifoTiming::keep_more() {
     if (!is_unlimited())
         throw std::logic_error(name() + ": only an unlimited FIFO keeps more");
-    rules_.room = 2 * rules_.room + 1;
-    rules_.readable.grow();
-    rules_.free.grow();
+    make_room();
     rules_.free.be_endless(rules_.room - known_reads());
 }
 

@@ -59,7 +59,7 @@ class FifoTiming {
     /// Of what a process reads from memory: its next tokens, each of which can be read from the cycle that `next()`
     /// gives on. Makes room where it is needed.
     template <class Next> void deliver(std::uint64_t tokens, Next next) {
-        while (rules_.free.known() + rules_.readable.known() + tokens > room_)
+        while (rules_.free.known() + rules_.readable.known() + tokens > rules_.room)
             make_room();
         rules_.readable.append(tokens, next);
     }
@@ -101,7 +101,6 @@ class FifoTiming {
     Cycles full_stall_cycles_ = 0;
     Cycles empty_stall_cycles_ = 0;
     bool is_stream_ = false;
-    std::uint64_t room_ = 0;  // of memory: tokens whose cycles can be kept
 };
 
 }  // namespace dataflow::timing

@@ -106,6 +106,9 @@ class Operation {
     bool is_plain_wait() const { return gap() == cycles; }
     bool is_call_start() const { return kind() == Kind::wait && gap() == call_start; }
     bool is_choice() const { return kind() == Kind::wait && gap() >= step_to_reach; }
+    /// Of a step to reach.
+    std::uint32_t step() const { return count() >> 1U; }
+    bool stops_before() const { return (count() & 1U) != 0; }
     /// Of an attempt: whether it found what it looked for, and moved a token if it did; and how many iterations its own
     /// is behind the one at hand.
     bool succeeded() const { return (count() & 1U) != 0; }

@@ -44,8 +44,11 @@ class OperationLog {
 
     /// The iteration at hand accesses `ports`, besides others that are told later.
     void add_ports(Ports::Number ports) { append(Operation(Kind::wait, ports, Operation::ports_of_window, 0)); }
-    /// All is done of it that is before a step, or in it; twice its number, and 1 if only what is before.
-    void reach_step(std::uint32_t code) { append(Operation(Kind::wait, 0, Operation::step_to_reach, code)); }
+    /// All is done of it that is before a step, and unless it stops there, what is in it.
+    void reach_step(std::uint64_t step, bool stops_before) {
+        append(Operation(Kind::wait, 0, Operation::step_to_reach,
+                         static_cast<std::uint32_t>((step << 1U) | (stops_before ? 1U : 0U))));
+    }
     /// While a loop drains: the steps of an iteration more are over.
     void end_window() { append(Operation(Kind::wait, 0, Operation::end_of_window, 0)); }
     /// A non-blocking access, in the step of its port.

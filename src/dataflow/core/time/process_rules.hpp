@@ -25,6 +25,7 @@ namespace dataflow::timing {
 /// end of a FIFO, and so decides how cycles are held (see FifoRules), and with them the local time. `Process` has
 ///
 ///     std::vector<Port> ports_                      in program order of a step
+///     void put_in_order(PortSet&) const             the order in which a step waits for its ports
 ///     bool may_access(Ports::Number ports)           false: stops in front of the step, whatever it is
 ///     void wait_for(Port const&)                    stops, as the earliest cycle of an access there is not known
 ///     void charge(Port const&, Time stall)          has waited so long, up to the local time, for an access

@@ -7,35 +7,27 @@
 namespace dataflow::timing {
 
 namespace {
-struct Access {
-    unsigned port = 0;
-    Cycles stage = 0;
-};
-
-std::vector<Access> accesses_of(LoopShape const& loop) {
-    std::vector<Access> accesses;
-    for (LoopWrite const& write : loop.writes)
-        accesses.push_back({write.port, write.write_latency});
-    for (LoopRead const& read : loop.reads)
-        accesses.push_back({read.port, read.stage});
+std::vector<LoopAccess> accesses_of(LoopShape const& loop) {
+    std::vector<LoopAccess> accesses = loop.writes;
+    accesses.insert(accesses.end(), loop.reads.begin(), loop.reads.end());
     return accesses;
 }
 }  // namespace
 
 Cycles LoopShape::first_stage() const {
     Cycles first = std::numeric_limits<Cycles>::max();
-    for (Access const& access : accesses_of(*this))
+    for (LoopAccess const& access : accesses_of(*this))
         first = std::min(first, access.stage);
     return first;
 }
 
 LoopPlan::LoopPlan(LoopShape const& loop) : ii(loop.interval.achieved), counting(iterations_that_count(loop)) {
-    std::vector<Access> const accesses = accesses_of(loop);
+    std::vector<LoopAccess> const accesses = accesses_of(loop);
     Cycles const first = accesses.empty() ? 0 : loop.first_stage();
     fill = loop.entry_states + first;
     aligned = (loop.reads.empty() || loop.writes.empty()) && !loop.makes_attempts;
     std::map<Cycles, LoopPhase> phase_at;
-    for (Access const& access : accesses) {
+    for (LoopAccess const& access : accesses) {
         Cycles const behind = access.stage - first;
         aligned = aligned && behind == 0;
         longest_lag = std::max(longest_lag, behind / ii);
@@ -72,11 +64,19 @@ bool ProcessShape::goes_on_with(Operation const& operation, unsigned loop) const
            (operation.kind() == Operation::Kind::enter && operation.count() == loop);
 }
 
+bool LoopEntries::take(Operation const& operation, ProcessShape const& shape) {
+    bool const enters = operation.kind() == Operation::Kind::enter;
+    bool const goes_on = rests && shape.goes_on_with(operation, loop);
+    rests = operation.kind() == Operation::Kind::leave ? shape.loops[loop].rewinds : goes_on && !enters;
+    loop = enters ? operation.count() : loop;
+    return enters && !goes_on;
+}
+
 ProcessShape ProcessShape::fed(unsigned stream_port) const {
     ProcessShape shape = *this;
     shape.plans.clear();
     for (LoopShape& loop : shape.loops) {
-        auto const is_fed = [stream_port](LoopRead const& read) { return read.port == stream_port; };
+        auto const is_fed = [stream_port](LoopAccess const& read) { return read.port == stream_port; };
         loop.reads.erase(std::remove_if(loop.reads.begin(), loop.reads.end(), is_fed), loop.reads.end());
         loop.uses_stream = false;
         shape.plans.emplace_back(loop);

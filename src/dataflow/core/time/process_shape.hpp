@@ -11,16 +11,10 @@
 
 namespace dataflow::timing {
 
-/// A FIFO written by a loop: the token of iteration i leaves in step i * II + write_latency.
-struct LoopWrite {
+/// A FIFO that a loop reads or writes: the token of iteration i is taken, or leaves, in step i * II + stage.
+struct LoopAccess {
     unsigned port = 0;
-    Cycles write_latency = 0;  ///< Lw, below the loop's depth
-};
-
-/// A FIFO read by a loop: the token of iteration i is taken in step i * II + stage.
-struct LoopRead {
-    unsigned port = 0;
-    Cycles stage = 0;  ///< below the loop's depth
+    Cycles stage = 0;  ///< below the loop's depth; of a write, its latency Lw
 };
 
 /// One loop of a process (docs/timing-model.md#pipelined-loops). One that is not pipelined is one whose interval is its
@@ -30,9 +24,9 @@ struct LoopShape {
     InitiationInterval interval;
     Cycles depth = 1;                          ///< L
     Cycles entry_states = 0, exit_states = 0;  ///< cycles before the first iteration, and behind the last
-    std::vector<LoopWrite> writes;
+    std::vector<LoopAccess> writes;
     /// All ports that the loop reads. May be empty if it writes none, and each iteration reads in its first step.
-    std::vector<LoopRead> reads;
+    std::vector<LoopAccess> reads;
     /// By number of a dependence: the fewest steps from the begin of an iteration to that of one that accesses what it
     /// writes. 1: nobody waits. Empty: for none; otherwise iterations read FIFOs in their first step, and write none.
     std::vector<Cycles> interlock_spans;
@@ -105,6 +99,16 @@ struct ProcessShape {
     bool goes_on_with(Operation const& operation, unsigned loop) const;
     /// The shape of a process that finds everything there which it takes from memory, at this port.
     ProcessShape fed(unsigned stream_port) const;
+};
+
+/// Where the entries into a process's loops begin, as it tells its operations: a loop that rewinds is entered once for
+/// all calls that it goes on with.
+struct LoopEntries {
+    unsigned loop = 0;   ///< entered last
+    bool rests = false;  ///< that is left, and nothing told that it drains before
+
+    /// Whether an operation, the next one told, begins an entry into its loop.
+    bool take(Operation const& operation, ProcessShape const& shape);
 };
 
 }  // namespace dataflow::timing

@@ -327,7 +327,7 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     void waits_for_room(ProcessPort const& /*port*/) const {}
     bool choose(Operation const& operation);
     bool add_ports(Ports::Number ports);
-    bool reach_step(Cycles step);
+    bool reach_step(Cycles step, bool stops_before);
     void open_window();
     bool end_window();
     bool attempt(Operation const& operation);

@@ -97,9 +97,9 @@ Json loops_json(timing::ProcessTiming const& process) {
     Json loops = Json::array();
     for (unsigned i = 0; i < process.loops().size(); ++i) {
         Json writes = Json::array(), reads = Json::array();
-        for (timing::LoopWrite const& write : process.loops()[i].writes)
+        for (timing::LoopAccess const& write : process.loops()[i].writes)
             writes.push_back(write.port);
-        for (timing::LoopRead const& read : process.loops()[i].reads)
+        for (timing::LoopAccess const& read : process.loops()[i].reads)
             reads.push_back(read.port);
         loops.push_back({{"loop", process.loops()[i].name},
                          {"writes", std::move(writes)},

@@ -11,11 +11,6 @@ Cycles waits_of(ProcessStatistics const& process) {
            process[CycleClass::idle_before] + process[CycleClass::idle_after];
 }
 
-std::size_t last_to_end(RunStatistics const& run) {
-    auto const before = [](CoreStatistics const& a, CoreStatistics const& b) { return a.end_cycle < b.end_cycle; };
-    return static_cast<std::size_t>(std::max_element(run.cores.begin(), run.cores.end(), before) - run.cores.begin());
-}
-
 std::size_t least_waiting(CoreStatistics const& core, Machine const& machine) {
     std::vector<std::size_t> const modules = modules_of(machine);
     auto const waits_less = [&core](std::size_t a, std::size_t b) {
@@ -39,7 +34,7 @@ Diagnosis diagnose(RunStatistics const& run) {
     Diagnosis diagnosis;
     if (run.core_cycles() == 0)
         return diagnosis;
-    diagnosis.core = last_to_end(run);
+    diagnosis.core = run.last_core();
     CoreStatistics const& core = run.cores[diagnosis.core];
     diagnosis.module = least_waiting(core, run.machine);
     diagnosis.cycles = run.core_cycles();

@@ -16,6 +16,11 @@ Cycles RunStatistics::deadlock_cycle() const {
     return latest;
 }
 
+std::size_t RunStatistics::last_core() const {
+    auto const ends_before = [](CoreStatistics const& a, CoreStatistics const& b) { return a.end_cycle < b.end_cycle; };
+    return static_cast<std::size_t>(std::max_element(cores.begin(), cores.end(), ends_before) - cores.begin());
+}
+
 std::vector<StuckProcess> RunStatistics::wait_cycle() const {
     auto const successor = [this](StuckProcess const& process) {
         return std::find_if(stuck.begin(), stuck.end(), [&process](StuckProcess const& other) {

@@ -71,6 +71,8 @@ struct RunStatistics {
     Cycles core_cycles() const { return total_cycles - load_cycles; }
     bool deadlocked() const { return !stuck.empty(); }
     Cycles deadlock_cycle() const;
+    /// The core that ends last, the first of them.
+    std::size_t last_core() const;
     /// The processes that wait for each other in a circle, in order; the last waits for the first.
     std::vector<StuckProcess> wait_cycle() const;
 };

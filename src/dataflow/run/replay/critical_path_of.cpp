@@ -117,29 +117,13 @@ class ProcessRows {
     PathRow base_;
 };
 
-/// Of the core that ends last, the first of them.
-std::size_t last_core(std::vector<timing::CoreTiming const*> const& cores, Machine const& machine) {
-    std::size_t last = 0;
-    std::optional<RunEnd> latest = run_end(machine, *cores[last]);
-    for (std::size_t i = 1; i < cores.size(); ++i) {
-        std::optional<RunEnd> const end = run_end(machine, *cores[i]);
-        if (!end || (latest && end->cycle <= latest->cycle))
-            continue;
-        latest = end;
-        last = i;
-    }
-    return last;
-}
-
 }  // namespace
 
-CriticalPath critical_path_of(std::vector<timing::CoreTiming const*> const& cores, Machine const& machine) {
-    CriticalPath path;
-    path.core = last_core(cores, machine);
-    timing::CoreTiming const& core = *cores[path.core];
+std::vector<PathRow> critical_path_of(timing::CoreTiming const& core, Machine const& machine) {
+    std::vector<PathRow> rows;
     std::optional<RunEnd> const end = run_end(machine, core);
     if (!end)
-        return path;
+        return rows;
     auto const last = static_cast<unsigned>(end->process);
     // A run that is over with an access ends in the middle of what its process does: the cycle of the access is its
     // own.
@@ -147,10 +131,9 @@ CriticalPath critical_path_of(std::vector<timing::CoreTiming const*> const& core
     timing::PathSums sums = timing::critical_path(core, last, end->cycle + 1 - of_access);
     sums.of(last, timing::Region(), timing::PathSums::Share::own) += of_access;
     for (unsigned process = 0; process < core.processes().size(); ++process)
-        ProcessRows(machine, core, process, sums, path.rows).add();
-    std::stable_sort(path.rows.begin(), path.rows.end(),
-                     [](PathRow const& a, PathRow const& b) { return a.cycles > b.cycles; });
-    return path;
+        ProcessRows(machine, core, process, sums, rows).add();
+    std::stable_sort(rows.begin(), rows.end(), [](PathRow const& a, PathRow const& b) { return a.cycles > b.cycles; });
+    return rows;
 }
 
 }  // namespace dataflow::replay

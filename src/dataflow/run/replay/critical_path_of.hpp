@@ -7,8 +7,8 @@
 
 namespace dataflow::replay {
 
-/// The critical path to the end of a run that ended, in numbers of the machine's parts. Its cores must have left
-/// trails. Nothing without samples.
-CriticalPath critical_path_of(std::vector<timing::CoreTiming const*> const& cores, Machine const& machine);
+/// The critical path to the end of a core that ended, in numbers of the machine's parts, the largest first. It must
+/// have left a trail. Nothing without samples.
+std::vector<PathRow> critical_path_of(timing::CoreTiming const& core, Machine const& machine);
 
 }  // namespace dataflow::replay

@@ -40,13 +40,6 @@ class PlainSamples {
     std::unique_ptr<PlainReader> reader_;
 };
 
-std::uint64_t tokens_of(timing::MemoryEntry const& entry) {
-    std::uint64_t tokens = 0;
-    for (timing::MemoryBlock const& block : entry.blocks)
-        tokens += block.all_tokens();
-    return tokens;
-}
-
 enum class Source { scripts, operations };
 
 /// Of all samples, if they say the most of them.
@@ -115,7 +108,8 @@ class Together {
             finished.push_back({shares_[core], *cores_[core], run_.run().counters.data() + shares_[core].first});
         RunStatistics statistics = collect(finished, machine_, memory_ ? &*memory_ : nullptr, recorded().loaded);
         if (options_.leave_trails && !statistics.deadlocked())
-            statistics.critical_path = path();
+            statistics.critical_path =
+                CriticalPath{statistics.last_core(), critical_path_of(*cores_[statistics.last_core()], machine_)};
         return statistics;
     }
 
@@ -158,13 +152,6 @@ class Together {
             is_left_.assign(is_left_.size(), true);
     }
 
-    CriticalPath path() const {
-        std::vector<timing::CoreTiming const*> cores;
-        for (auto const& core : cores_)
-            cores.push_back(core.get());
-        return critical_path_of(cores, machine_);
-    }
-
     /// All at once: who prefetches asks for them before their process comes there.
     void tell_entries(std::size_t core) {
         for (std::size_t i = 0; i < shares_[core].count; ++i) {
@@ -197,7 +184,7 @@ class Together {
             timing::MemoryStream& stream = cores_[core]->stream(master);
             stream.forget_taken(stream.is_write() ? 0 : stream.taken());
             for (timing::MemoryEntry const& entry : masters[master])
-                stream.deliver_at_once(stream.is_write() ? 0 : tokens_of(entry));
+                stream.deliver_at_once(stream.is_write() ? 0 : entry.all_tokens());
         }
     }
 

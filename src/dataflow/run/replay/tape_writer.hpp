@@ -23,7 +23,7 @@ class TapeWriter {
     void put(std::size_t sample, SampleOperations operations);
     /// All is on the tape. Throws what went wrong meanwhile.
     void finish();
-    /// Bits of the ports that a process accessed outside loops; after finish().
+    /// The ports that a process accessed outside loops; after finish().
     timing::Ports step_ports(std::size_t process) const { return step_ports_[process]; }
 
   private:

@@ -26,14 +26,6 @@ Cycles earliest_of(timing::CoreTiming const& timing) {
 
 using timing::Operation;
 
-bool ToldLoops::Entries::take(Operation const& operation, timing::ProcessShape const& shape) {
-    bool const enters = operation.kind() == Operation::Kind::enter;
-    bool const goes_on = rests && shape.goes_on_with(operation, loop);
-    rests = operation.kind() == Operation::Kind::leave ? shape.loops[loop].rewinds : goes_on && !enters;
-    loop = enters ? operation.count() : loop;
-    return enters && !goes_on;
-}
-
 void ToldLoops::take(timing::OperationLog const& told, timing::ProcessShape const& shape) {
     std::for_each(told.begin(), told.begin() + told.pending(), [this, &shape](Operation const& operation) {
         if (entries_.take(operation, shape))
@@ -45,7 +37,7 @@ void ToldLoops::take(timing::OperationLog const& told, timing::ProcessShape cons
 /// Loops that it has told of and not entered yet are in its log.
 std::uint64_t ToldLoops::done_in_loop(timing::ProcessTiming const& process) {
     timing::OperationLog const& log = process.log();
-    Entries entries{process.current_loop(), process.rests()};
+    timing::LoopEntries entries{process.current_loop(), process.rests()};
     auto const to_come = static_cast<std::size_t>(
         std::count_if(log.begin(), log.begin() + log.pending(),
                       [&](Operation const& operation) { return entries.take(operation, *process.shape()); }));

@@ -23,14 +23,7 @@ class ToldLoops {
     std::uint64_t done_in_loop(timing::ProcessTiming const& process);
 
   private:
-    /// Of operations, which enter a loop anew: one that rewinds may go on instead.
-    struct Entries {
-        unsigned loop = 0;   ///< entered last
-        bool rests = false;  ///< at the end of that
-
-        bool take(timing::Operation const& operation, timing::ProcessShape const& shape);
-    };
-    Entries entries_;
+    timing::LoopEntries entries_;
     std::uint64_t iterations_ = 0;          ///< told, of all its loops
     std::deque<std::uint64_t> at_entries_;  ///< as many were told when a loop was entered
 };

@@ -326,6 +326,37 @@ TEST_CASE("A process with ports that no mask has is followed where it does not a
     }
 }
 
+TEST_CASE("An unlimited FIFO beside a group that is followed keeps what its writer is ahead", "[automaton]") {
+    constexpr unsigned tokens = 3000, late = collector + 1, ahead_port = 4, go_port = 5;
+    auto automaton = std::make_shared<Automaton>();
+    Machine followed(1, false);
+    Machine plain(1, false);
+    followed.core.let_follow(Machine::lead(), automaton);
+    for (Machine* const machine : {&followed, &plain}) {
+        CoreTiming& core = machine->core;
+        FifoTiming& ahead = core.add_fifo({"ahead", FifoShape::unlimited});
+        FifoTiming& go = core.add_fifo({"go"});
+        core.process(drawer).add_writes(ahead);
+        core.process(drawer).add_writes(go);
+        core.add_process("late").add_reads(ahead);
+        core.process(late).add_reads(go);
+        Dice dice(1);
+        begin_sample(core, dice);
+        log_triangles(core, dice, 40, false);
+        end_sample(core, dice);
+        for (unsigned i = 0; i < tokens; ++i)
+            core.process(drawer).log().step(Ports::of(ahead_port).number(), 1);
+        core.process(drawer).log().step(Ports::of(go_port).number(), 1);
+        core.process(late).log().step(0b10, 1);
+        for (unsigned i = 0; i < tokens; ++i)
+            core.process(late).log().step(0b1, 1);
+        core.resolve();
+    }
+    CHECK(figures_of(followed.core) == figures_of(plain.core));
+    CHECK(automaton->phrases() > 0);
+    CHECK(followed.core.process(late).finished());
+}
+
 TEST_CASE("A lead of more followers than an automaton takes is worked out without", "[automaton]") {
     for (unsigned seed = 1; seed <= 10; ++seed) {
         CAPTURE(seed);

@@ -184,7 +184,9 @@ void SteadyState::take(Snapshot& snapshot) const {
     auto const since = [origin](Cycles cycle) { return static_cast<std::int64_t>(cycle - origin); };
     snapshot.trail_mark = leader_->trail() == nullptr ? 0 : leader_->trail()->mark();
     snapshot.relative.clear();
-    snapshot.growing.assign(1, origin);
+    snapshot.time = origin;
+    snapshot.members.clear();
+    snapshot.ends.clear();
     for (ProcessTiming* process : group_) {
         View const view(*process);
         snapshot.relative.push_back(static_cast<std::int64_t>(process->index()));
@@ -192,9 +194,8 @@ void SteadyState::take(Snapshot& snapshot) const {
         snapshot.relative.push_back(since(process->local_time()));
         if (!view.plan().aligned)
             take_pipeline(*process, snapshot.relative);
-        snapshot.growing.push_back(process->empty_stall_cycles());
-        snapshot.growing.push_back(process->full_stall_cycles());
-        snapshot.growing.push_back(process->iterations());
+        snapshot.members.push_back(
+            {process->empty_stall_cycles(), process->full_stall_cycles(), process->iterations()});
     }
     for (FifoTiming const* fifo : fifos_)
         snapshot.relative.push_back(static_cast<std::int64_t>(fifo->max_occupancy()));
@@ -205,8 +206,7 @@ void SteadyState::take(Snapshot& snapshot) const {
         // A time before the local time of who waits for it decides nothing: it could as well be that time.
         for (std::uint64_t i = 0; !end.open() && i < end.known(); ++i)
             snapshot.relative.push_back(since(std::max(end.process->local_time(), end.earliest(i))));
-        snapshot.growing.push_back(end.accesses());
-        snapshot.growing.push_back(end.stalls());
+        snapshot.ends.push_back({end.accesses(), end.stalls()});
     }
 }
 
@@ -214,15 +214,14 @@ std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
     std::uint64_t periods = ~std::uint64_t{0};
     for (std::size_t i = 0; i < group_.size(); ++i) {
         Operation const& operation = group_[i]->log().front();
-        std::uint64_t const iterations = now.growing[3 * i + 3] - before_.growing[3 * i + 3];
+        std::uint64_t const iterations = now.members[i].iterations - before_.members[i].iterations;
         std::uint64_t const done = iterations / (1U + operation.gap());
         if (done == 0)
             return 0;
         periods = std::min(periods, (operation.count() - 1) / done);
     }
     for (std::size_t i = 0; i < ends_.size(); ++i) {
-        std::size_t const at = 1 + 3 * group_.size() + 2 * i;
-        std::uint64_t const accesses = now.growing[at] - before_.growing[at];
+        std::uint64_t const accesses = now.ends[i].count - before_.ends[i].count;
         if (ends_[i].open() && accesses > 0)
             periods = std::min(periods, ends_[i].free / accesses);
     }
@@ -231,32 +230,35 @@ std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
 
 ProcessMask SteadyState::jump(Snapshot const& now) {
     std::uint64_t const periods = whole_periods_left(now);
-    auto const growth = [&](std::size_t i) { return periods * (now.growing[i] - before_.growing[i]); };
     if (periods == 0)
         return 0;
-    std::size_t at = 0;
-    Cycles const cycles = growth(at++);
+    Cycles const cycles = periods * (now.time - before_.time);
     leave_trail(periods, cycles / periods);
-    for (ProcessTiming* process : group_) {
-        View const view(*process);
-        view.state().time += cycles;
-        view.figures().empty_stall_cycles += growth(at++);
-        view.figures().full_stall_cycles += growth(at++);
-        std::uint64_t const iterations = growth(at++);
-        view.state().iterations += iterations;
-        if (!view.plan().aligned)
-            shift_pipeline(*process, iterations);
-        view.figures().loops[view.state().loop].iterations += iterations;
-        Operation& operation = process->log().front();
-        operation.subtract(static_cast<std::uint32_t>(iterations / (1U + operation.gap())));
-    }
+    for (std::size_t i = 0; i < group_.size(); ++i)
+        repeat(*group_[i], before_.members[i], now.members[i], periods, cycles);
     // Open ends first, as who is behind them may need what they write or the room they make.
     for (bool const open : {true, false})
         for (std::size_t i = 0; i < ends_.size(); ++i)
             if (ends_[i].open() == open)
-                go_on(ends_[i], growth(at + 2 * i), growth(at + 2 * i + 1), periods, cycles);
+                go_on(ends_[i], periods * (now.ends[i].count - before_.ends[i].count),
+                      periods * (now.ends[i].stalls - before_.ends[i].stalls), periods, cycles);
     looks_ = 0;
     return behind_open_ends();
+}
+
+void SteadyState::repeat(ProcessTiming& process, Snapshot::Done const& before, Snapshot::Done const& now,
+                         std::uint64_t periods, Cycles cycles) {
+    View const view(process);
+    view.state().time += cycles;
+    view.figures().empty_stall_cycles += periods * (now.empty_stalls - before.empty_stalls);
+    view.figures().full_stall_cycles += periods * (now.full_stalls - before.full_stalls);
+    std::uint64_t const iterations = periods * (now.iterations - before.iterations);
+    view.state().iterations += iterations;
+    if (!view.plan().aligned)
+        shift_pipeline(process, iterations);
+    view.figures().loops[view.state().loop].iterations += iterations;
+    Operation& operation = process.log().front();
+    operation.subtract(static_cast<std::uint32_t>(iterations / (1U + operation.gap())));
 }
 
 ProcessMask SteadyState::behind_open_ends() const {

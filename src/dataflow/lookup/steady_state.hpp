@@ -23,8 +23,21 @@ class SteadyState {
     /// What the processes of a group looked like at one moment.
     struct Snapshot {
         std::vector<std::int64_t> relative;  ///< the same in states with the same future
-        std::vector<Cycles> growing;         ///< time and counters; grow by the same amount each period
         std::uint64_t trail_mark = 0;
+
+        // What grows by the same amount each period.
+        Cycles time = 0;
+        struct Done {
+            Cycles empty_stalls = 0;
+            Cycles full_stalls = 0;
+            std::uint64_t iterations = 0;
+        };
+        std::vector<Done> members;  ///< of the group
+        struct Accesses {
+            std::uint64_t count = 0;
+            Cycles stalls = 0;
+        };
+        std::vector<Accesses> ends;
     };
 
     /// Where a member accesses a FIFO.
@@ -70,6 +83,8 @@ class SteadyState {
     ProcessMask behind_open_ends() const;
     void go_on(End const& end, std::uint64_t accesses, Cycles stalls, std::uint64_t periods, Cycles cycles);
     static void shift(FifoTiming& fifo, std::uint64_t tokens, Cycles cycles);
+    static void repeat(ProcessTiming& process, Snapshot::Done const& before, Snapshot::Done const& now,
+                       std::uint64_t periods, Cycles cycles);
     static void repeat(End const& end, std::uint64_t accesses, std::uint64_t periods, Cycles cycles);
 
     std::vector<ProcessTiming*> group_;  // the leader first

@@ -66,8 +66,7 @@ void Phrase::start() {
 
 void Phrase::take_driver(OperationLog& log, std::size_t operations, Group::Lanes due) {
     due_ = due;
-    parts_[part_count_++] = {&log, operations, 0};
-    active_ |= 1U;
+    take(0, log, operations, 0);
 }
 
 /// Of all followers to what the driver does.
@@ -179,8 +178,7 @@ Phrase::Reading Phrase::read_follower(Group const& group, unsigned m, std::uint3
     if (!next.known && log_ends_ != nullptr)
         next.ports = log_ends_[m];
     codes_[marker_at] |= (Code{next.ports} << 8) | (frozen ? 1U : 0U);
-    parts_[part_count_++] = {&log, i, part};
-    active_ |= 1U << m;
+    take(m, log, i, part);
     return Reading::complete;
 }
 
@@ -224,8 +222,7 @@ bool Phrase::read_part(OperationLog& log, Group::Member const& follower, unsigne
             continue;
         if (length > 0)
             put_part(ports, length, gaps, member);
-        parts_[part_count_++] = {&log, i, taken};
-        active_ |= 1U << member;
+        take(member, log, i, taken);
         return true;
     }
     size_ = first;
@@ -253,8 +250,7 @@ inline bool Phrase::read_short_part(OperationLog& log, unsigned member, std::uin
         part = due - taken;
     }
     put_part(front.ports(), due, gaps & ((std::uint64_t{1} << due) - 1), member);
-    parts_[part_count_++] = {&log, whole, part};
-    active_ |= 1U << member;
+    take(member, log, whole, part);
     return true;
 }
 
@@ -275,15 +271,13 @@ bool Phrase::is_well_formed(Code code, Group const& group) {
     auto const is_inside = [&group](unsigned member, Ports::Number ports) {
         return member > 0 && member < group.members().size() && (ports & ~group.members()[member].inner_ports) == 0;
     };
-    if (is_part(code)) {
-        Operation const operation(code & ~(Code{0x1F} << part_at));
-        return operation.is_well_formed() &&
-               is_inside(static_cast<unsigned>(code >> part_at) & 0xFU, operation.ports());
-    }
+    if (is_part(code))
+        return operation_of_part(code).is_well_formed() &&
+               is_inside(member_of_part(code), operation_of_part(code).ports());
     if (!is_marker(code))
         return Operation(code).is_well_formed();
     constexpr Code known = marker | (Code{0xFF} << 16) | (Code{0xFF} << 8);
-    return (code & ~known) == 0 && is_inside(marked_member(code), static_cast<Ports::Number>((code >> 8) & 0xFFU));
+    return (code & ~known) == 0 && is_inside(marked_member(code), marked_ports(code));
 }
 
 bool Phrase::is_readable(Code const* codes, std::size_t size, Group const& group) {
@@ -297,7 +291,7 @@ bool Phrase::is_readable(Code const* codes, std::size_t size, Group const& group
           [&next_ports](unsigned member, Ports::Number ports, bool /*frozen*/) { next_ports[member] = ports; });
     std::uint32_t parts = 0;
     for (std::size_t i = 0; i < size; ++i)
-        parts |= is_part(codes[i]) ? 1U << (static_cast<unsigned>(codes[i] >> part_at) & 0xFU) : 0;
+        parts |= is_part(codes[i]) ? 1U << member_of_part(codes[i]) : 0;
     for (unsigned m = 0; m < group.members().size(); ++m)
         if (((parts >> m) & 1U) != 0)  // it has more
             group.members()[m].process->log().append(Operation(Kind::iterate, next_ports[m], 0, 1));

@@ -66,15 +66,15 @@ class Phrase {
         unsigned member = 0;  // the driver comes first, unmarked
         for (unsigned i = 0; i < size; ++i) {
             if (is_part(codes[i])) {
-                unsigned const follower = static_cast<unsigned>(codes[i] >> part_at) & 0xFU;
-                Operation const operation(codes[i] & ~(Code{0x1F} << part_at));
+                unsigned const follower = member_of_part(codes[i]);
+                Operation const operation = operation_of_part(codes[i]);
                 visit(follower, operation);
                 visit_next(follower, operation.ports(), false);
                 continue;
             }
             if (is_marker(codes[i])) {
                 member = marked_member(codes[i]);
-                visit_next(member, static_cast<Ports::Number>((codes[i] >> 8) & 0xFFU), (codes[i] & 1U) != 0);
+                visit_next(member, marked_ports(codes[i]), (codes[i] & 1U) != 0);
                 continue;
             }
             visit(member, Operation(codes[i]));
@@ -120,6 +120,11 @@ class Phrase {
         bool const goes_on = operation.kind() == Operation::Kind::mixed || taken < operation.count();
         return {goes_on ? operation.ports() : operation.tail_ports(), true};
     }
+    /// Whole operations that a member's log begins with, and a part of the next.
+    void take(unsigned member, OperationLog& log, std::size_t whole, std::uint32_t part) {
+        parts_[part_count_++] = {&log, whole, part};
+        active_ |= 1U << member;
+    }
     bool read_part(OperationLog& log, Group::Member const& follower, unsigned member, std::uint32_t due);
     bool read_short_part(OperationLog& log, unsigned member, std::uint32_t due);
     void put_part(Ports::Number ports, std::uint32_t length, std::uint64_t gaps, unsigned member);
@@ -130,9 +135,12 @@ class Phrase {
     /// A mix of which the follower has more, and all it does are mixes: a code of its own, with the follower's number.
     static constexpr unsigned part_at = 39;
     static bool is_part(Code code) { return (code >> 61) == 6 && ((code >> (part_at + 4)) & 1U) != 0; }
+    static unsigned member_of_part(Code code) { return static_cast<unsigned>(code >> part_at) & 0xFU; }
+    static Operation operation_of_part(Code code) { return Operation(code & ~(Code{0x1F} << part_at)); }
     static constexpr Code marker = (Code{6} << 61) | (Code{1} << (part_at - 1));
     static bool is_marker(Code code) { return (code >> 61) == 6 && ((code >> (part_at - 1)) & 1U) != 0; }
     static unsigned marked_member(Code code) { return static_cast<unsigned>(code >> 16) & 0xFFU; }
+    static Ports::Number marked_ports(Code code) { return static_cast<Ports::Number>((code >> 8) & 0xFFU); }
 
     std::array<Code, longest> codes_{};
     unsigned size_ = 0;

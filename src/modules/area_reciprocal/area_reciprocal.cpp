@@ -25,26 +25,16 @@ ModuleDescription AreaReciprocal::describe(AcceleratorConfig const& config) {
     return module;
 }
 
-AreaReciprocal::AreaReciprocal(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.core, "area_reciprocal") {
-    SC_THREAD(run);
-}
-
-void AreaReciprocal::end_of_elaboration() { clock_.connect_all(); }
-
-void AreaReciprocal::run() {
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        for (std::uint32_t left = core_.sample(i).triangle_count; left > 0; --left) {
+void AreaReciprocal::work(std::size_t i) {
+    for (std::uint32_t left = core_.sample(i).triangle_count; left > 0; --left) {
+        clock_.here();
+        std::int64_t const area = area_in.read();
+        bool const is_drawn = area > 0;
+        if (is_drawn) {
             clock_.here();
-            std::int64_t const area = area_in.read();
-            bool const is_drawn = area > 0;
-            if (is_drawn) {
-                clock_.here();
-                area_reciprocal_out.write(datapath::reciprocal_of(area, core_.stimulus.fraction));
-            }
-            clock_.advance(is_drawn ? clock_.number("interval") : 1);
+            area_reciprocal_out.write(datapath::reciprocal_of(area, core_.stimulus.fraction));
         }
+        clock_.advance(is_drawn ? clock_.number("interval") : 1);
     }
 }
 

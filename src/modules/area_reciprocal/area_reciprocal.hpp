@@ -2,7 +2,7 @@
 #include <systemc>
 
 #include "faster/data/tokens.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 
 namespace faster {
 
@@ -11,22 +11,19 @@ namespace faster {
 ///   out   area_reciprocal_out per drawn triangle: code of 1 / area
 ///   time  flushing pipeline, one area per cycle; a result leaves write_latency cycles after its issue
 /// Source: docs/function.md#formats, docs/timing-model.md#a-flushing-pipeline-that-freezes.
-class AreaReciprocal : public sc_core::sc_module {
+class AreaReciprocal : public CoreModule {
   public:
     sc_core::sc_fifo_in<std::int64_t> area_in{"area_in"};
     sc_core::sc_fifo_out<std::uint64_t> area_reciprocal_out{"area_reciprocal_out"};
 
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(AreaReciprocal);
-    AreaReciprocal(sc_core::sc_module_name const& name, CoreContext const& core);
+    /// SystemC has a FIFO of the module's name.
+    AreaReciprocal(sc_core::sc_module_name const& name, CoreContext const& core)
+        : CoreModule(name, core, "area_reciprocal") {}
 
   private:
-    void end_of_elaboration() override;
-    void run();
-
-    CoreContext const& core_;
-    ProcessClock clock_;
+    void work(std::size_t i) override;
 };
 
 }  // namespace faster

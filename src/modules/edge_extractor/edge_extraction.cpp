@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/inlier_unit/compared_pixels.hpp"
+
 namespace faster::datapath {
 
 namespace {
@@ -47,7 +49,7 @@ template <class Vector> std::uint64_t length(Vector const& vector) {
 EdgeExtraction::EdgeExtraction(EdgeExtractionConfig const& config, int window, int depth_fraction)
     : window_(window),
       radius_(config.neighbourhood / 2),
-      near_limit_(2U << depth_fraction),
+      near_limit_(drawn_below(depth_fraction)),
       threshold_code_(static_cast<std::uint64_t>(std::floor(std::ldexp(config.threshold, quotient_fraction)))),
       slope_(slopes(window, config.focal_length_px)),
       depths_(static_cast<std::size_t>(window)),

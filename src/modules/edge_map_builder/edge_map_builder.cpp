@@ -33,27 +33,21 @@ ModuleDescription EdgeMapBuilder::describe(int window) {
 }
 
 EdgeMapBuilder::EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.core, "edge_map_builder"), maps_(core.stimulus.window) {
-    SC_THREAD(run);
-}
+    : CoreModule(name, core), maps_(core.stimulus.window) {}
 
-void EdgeMapBuilder::end_of_elaboration() {
-    clock_.connect_all();
+void EdgeMapBuilder::connect() {
     token_.connect(clock_, "token", &channel_of(edge_token_in));
     output_.connect(clock_, "output", &channel_of(edge_map_out));
     watched_.watch({clock_.write_distances("token", "edge_map"), clock_.write_distances("token", "object_map")});
 }
 
-void EdgeMapBuilder::run() {
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        clock_.advance(1);
-        clear();
-        build();
-        core_.show_edge_maps(i, {maps_.edge(), maps_.object(), maps_.side()});
-        clock_.advance(1);
-        send();
-    }
+void EdgeMapBuilder::work(std::size_t i) {
+    clock_.advance(1);
+    clear();
+    build();
+    core_.show_edge_maps(i, {maps_.edge(), maps_.object(), maps_.side()});
+    clock_.advance(1);
+    send();
 }
 
 void EdgeMapBuilder::clear() {

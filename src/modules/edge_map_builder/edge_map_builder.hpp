@@ -4,7 +4,7 @@
 #include "channels/token_loop.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/edge_map_builder/algorithms/dual_map.hpp"
 #include "modules/edge_map_builder/watched_maps.hpp"
 
@@ -16,7 +16,7 @@ namespace faster {
 ///   in    edge_token_in  object and edge pixels in any order, End per sample
 ///   out   edge_map_out   W x W bits per sample, row-major
 ///   time  loop `clear`, loop `token` (object tokens take two iterations), loop `output`
-class EdgeMapBuilder : public sc_core::sc_module {
+class EdgeMapBuilder : public CoreModule {
   public:
     sc_core::sc_fifo_in<EdgeToken> edge_token_in{"edge_token_in"};
     sc_core::sc_fifo_out<std::uint8_t> edge_map_out{"edge_map_out"};
@@ -24,18 +24,15 @@ class EdgeMapBuilder : public sc_core::sc_module {
     /// Of a window of so many pixels.
     static ModuleDescription describe(int window);
 
-    SC_HAS_PROCESS(EdgeMapBuilder);
     EdgeMapBuilder(sc_core::sc_module_name const& name, CoreContext const& core);
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void work(std::size_t i) override;
     void clear();
     void build();
     void send();
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     datapath::DualMap maps_;
     WatchedMaps watched_;
     TokenLoop<Reads<EdgeToken>> token_;

@@ -47,12 +47,9 @@ ModuleDescription EdgeMapBuilderVariant::describe(AcceleratorConfig const& confi
 
 EdgeMapBuilderVariant::EdgeMapBuilderVariant(sc_core::sc_module_name const& name, CoreContext const& core,
                                              EdgeMapBuffers& buffers)
-    : sc_module(name), core_(core), clock_(core.core, "edge_map_builder"), buffers_(buffers), read_out_(clock_) {
-    SC_THREAD(run);
-}
+    : CoreModule(name, core), buffers_(buffers), read_out_(clock_) {}
 
-void EdgeMapBuilderVariant::end_of_elaboration() {
-    clock_.connect_all();
+void EdgeMapBuilderVariant::connect() {
     edge_token_ = channel_of(edge_token_in.pixels);
     edge_groups_ = channel_of(edge_token_in.groups);
     map_free_ = channel_of(map_free_in);
@@ -64,20 +61,18 @@ void EdgeMapBuilderVariant::end_of_elaboration() {
         read_out_.connect(*edge_map);
 }
 
-void EdgeMapBuilderVariant::run() {
-    maps_ = buffers_.claim(buffer_).get();
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        clock_.advance(1);
-        clear();
-        edge_token_ != nullptr ? build() : build_of_groups();
-        maps_->finish();
-        core_.show_edge_maps(i, {maps_->edge(), maps_->object(), maps_->side()});
-        if (buffers_.size() > 1)
-            hand_over();
-        else
-            read_out_.send(*maps_, core_.rows_of(turn_to_output()));
-    }
+void EdgeMapBuilderVariant::start() { maps_ = buffers_.claim(buffer_).get(); }
+
+void EdgeMapBuilderVariant::work(std::size_t i) {
+    clock_.advance(1);
+    clear();
+    edge_token_ != nullptr ? build() : build_of_groups();
+    maps_->finish();
+    core_.show_edge_maps(i, {maps_->edge(), maps_->object(), maps_->side()});
+    if (buffers_.size() > 1)
+        hand_over();
+    else
+        read_out_.send(*maps_, core_.rows_of(turn_to_output()));
 }
 
 /// The finished maps, for those that have been read out meanwhile.

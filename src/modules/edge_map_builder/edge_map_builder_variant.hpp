@@ -7,7 +7,7 @@
 #include "faster/data/buffer_tokens.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/edge_map_builder/edge_map_buffers.hpp"
 #include "modules/edge_map_builder/edge_map_read_out.hpp"
 #include "modules/edge_map_builder/watched_maps.hpp"
@@ -23,7 +23,7 @@ namespace faster {
 ///   in    map_free_in    the buffer of the next sample
 ///   out   map_full_out   the finished one and its region, instead of edge_map_out
 ///   time  a step each instead of loop `output`
-class EdgeMapBuilderVariant : public sc_core::sc_module {
+class EdgeMapBuilderVariant : public CoreModule {
   public:
     PixelsIn<EdgeToken, PixelGroup> edge_token_in{"edge_token_in"};
     OptionalFifoIn<BufferNumber> map_free_in{"map_free_in"};     ///< bound with two buffers
@@ -34,12 +34,12 @@ class EdgeMapBuilderVariant : public sc_core::sc_module {
     static bool is_needed(AcceleratorConfig const& config);
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(EdgeMapBuilderVariant);
     EdgeMapBuilderVariant(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers);
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void start() override;
+    void work(std::size_t i) override;
     void clear();
     void build();
     void build_of_groups();
@@ -48,8 +48,6 @@ class EdgeMapBuilderVariant : public sc_core::sc_module {
     FragmentIndex read_corner();
     void hand_over();
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     EdgeMapBuffers& buffers_;
     std::size_t buffer_ = 0;
     datapath::EdgeMapPolicy* maps_ = nullptr;       ///< of the sample at hand

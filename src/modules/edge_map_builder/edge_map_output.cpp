@@ -21,23 +21,15 @@ ModuleDescription EdgeMapOutput::describe(AcceleratorConfig const& config) {
 }
 
 EdgeMapOutput::EdgeMapOutput(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers)
-    : sc_module(name), core_(core), clock_(core.core, "edge_map_output"), buffers_(buffers), read_out_(clock_) {
-    SC_THREAD(run);
-}
+    : CoreModule(name, core), buffers_(buffers), read_out_(clock_) {}
 
-void EdgeMapOutput::end_of_elaboration() {
-    clock_.connect_all();
-    read_out_.connect(channel_of(edge_map_out));
-}
+void EdgeMapOutput::connect() { read_out_.connect(channel_of(edge_map_out)); }
 
-void EdgeMapOutput::run() {
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        FullMaps const full = take();
-        clock_.advance(1);
-        read_out_.send(*buffers_.claim(full.buffer.number), core_.rows_of(box_of(full.region)));
-        buffers_.release(full.buffer.number);
-    }
+void EdgeMapOutput::work(std::size_t /*i*/) {
+    FullMaps const full = take();
+    clock_.advance(1);
+    read_out_.send(*buffers_.claim(full.buffer.number), core_.rows_of(box_of(full.region)));
+    buffers_.release(full.buffer.number);
 }
 
 /// Taking a full buffer frees the other one, which has been read out by now.

@@ -2,7 +2,7 @@
 #include <systemc>
 
 #include "faster/data/buffer_tokens.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/edge_map_builder/edge_map_buffers.hpp"
 #include "modules/edge_map_builder/edge_map_read_out.hpp"
 
@@ -16,7 +16,7 @@ namespace faster {
 ///         token
 ///   time  one step, loop `output`
 /// Source: this project; docs/variants.md.
-class EdgeMapOutput : public sc_core::sc_module {
+class EdgeMapOutput : public CoreModule {
   public:
     sc_core::sc_fifo_in<FullMaps> map_full_in{"map_full_in"};
     sc_core::sc_fifo_out<BufferNumber> map_free_out{"map_free_out"};
@@ -24,16 +24,13 @@ class EdgeMapOutput : public sc_core::sc_module {
 
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(EdgeMapOutput);
     EdgeMapOutput(sc_core::sc_module_name const& name, CoreContext const& core, EdgeMapBuffers& buffers);
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void work(std::size_t i) override;
     FullMaps take();
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     EdgeMapBuffers& buffers_;
     EdgeMapReadOut read_out_;
 };

@@ -8,6 +8,8 @@ namespace faster::datapath {
 
 /// 2.0 m: codes of depths with so many fractional bits below it count as drawn.
 constexpr unsigned drawn_below(int depth_fraction) { return 2U << depth_fraction; }
+/// 3.0 m: codes up to it count as valid, that of no reading too.
+constexpr unsigned valid_up_to(int depth_fraction) { return 3U << depth_fraction; }
 /// |difference| <= 1/128 m, in codes; below 7 fractional bits only equal codes are that close.
 constexpr unsigned tolerance_of(int depth_fraction) { return (1U << depth_fraction) >> 7; }
 

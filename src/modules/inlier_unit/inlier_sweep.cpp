@@ -19,28 +19,22 @@ ModuleDescription InlierSweep::describe(AcceleratorConfig const& config) {
 }
 
 InlierSweep::InlierSweep(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers)
-    : sc_module(name), core_(core), clock_(core.core, "inlier_sweep"), buffers_(buffers), scoring_(core, clock_) {
-    SC_THREAD(run);
-}
+    : CoreModule(name, core), buffers_(buffers), scoring_(core, clock_) {}
 
-void InlierSweep::end_of_elaboration() {
-    clock_.connect_all();
+void InlierSweep::connect() {
     scoring_.connect(channel_of(edge_map_in), channel_of(observed_depth_in), channel_of(observed_edge_in));
 }
 
-void InlierSweep::run() {
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        FullDepthBuffer const full = take();
-        clock_.advance(1);
-        SampleCounters counters;
-        counters.valid_raster = full.valid_raster;
-        scoring_.score(core_.first_sample + i, buffers_.claim(full.buffer.number), box_of(full.region), counters);
-        buffers_.release(full.buffer.number);
-        clock_.here();
-        result_out.write(counters);
-        clock_.advance(1);
-    }
+void InlierSweep::work(std::size_t i) {
+    FullDepthBuffer const full = take();
+    clock_.advance(1);
+    SampleCounters counters;
+    counters.valid_raster = full.valid_raster;
+    scoring_.score(core_.first_sample + i, buffers_.claim(full.buffer.number), box_of(full.region), counters);
+    buffers_.release(full.buffer.number);
+    clock_.here();
+    result_out.write(counters);
+    clock_.advance(1);
 }
 
 /// Taking a full buffer frees the other one, which has been read out by now.

@@ -5,7 +5,7 @@
 #include "faster/data/buffer_tokens.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/inlier_unit/depth_buffers.hpp"
 #include "modules/inlier_unit/scoring.hpp"
 
@@ -21,7 +21,7 @@ namespace faster {
 ///         result_out      one set of counters per sample
 ///   time  one step; in flow fpga_grip loop `extract`; loop `sweep`; one step
 /// Source: this project; docs/variants.md.
-class InlierSweep : public sc_core::sc_module {
+class InlierSweep : public CoreModule {
   public:
     sc_core::sc_fifo_in<FullDepthBuffer> depth_full_in{"depth_full_in"};
     sc_core::sc_fifo_out<BufferNumber> depth_free_out{"depth_free_out"};
@@ -32,16 +32,13 @@ class InlierSweep : public sc_core::sc_module {
 
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(InlierSweep);
     InlierSweep(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers);
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void work(std::size_t i) override;
     FullDepthBuffer take();
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     DepthBuffers& buffers_;
     Scoring scoring_;
 };

@@ -37,17 +37,12 @@ ModuleDescription InlierUnit::describe(AcceleratorConfig const& config) {
 }
 
 InlierUnit::InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name),
-      core_(core),
-      clock_(core.core, "inlier_unit"),
+    : CoreModule(name, core),
       depth_unit_(core.stimulus.fraction),
       window_sweep_(core.stimulus.window, core.stimulus.fraction.depth_buffer),
-      depth_buffer_(core.window_pixels()) {
-    SC_THREAD(run);
-}
+      depth_buffer_(core.window_pixels()) {}
 
-void InlierUnit::end_of_elaboration() {
-    clock_.connect_all();
+void InlierUnit::connect() {
     fragment_.connect(clock_, "fragment", &channel_of(fragment_depth_in), &channel_of(fragment_index_in),
                       &channel_of(command_in));
     sweep_.connect(clock_, "sweep", &channel_of(edge_map_in), &channel_of(observed_depth_in),
@@ -55,20 +50,17 @@ void InlierUnit::end_of_elaboration() {
     distances_ = clock_.write_distances("fragment", "depth_buffer");
 }
 
-void InlierUnit::run() {
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        counters_ = SampleCounters{};
-        clock_.advance(1);
-        clear();
-        draw_triangles();
-        core_.show_depth_buffer(i, depth_buffer_);
-        clock_.advance(1);
-        sweep();
-        clock_.here();
-        result_out.write(counters_);
-        clock_.advance(1);
-    }
+void InlierUnit::work(std::size_t i) {
+    counters_ = SampleCounters{};
+    clock_.advance(1);
+    clear();
+    draw_triangles();
+    core_.show_depth_buffer(i, depth_buffer_);
+    clock_.advance(1);
+    sweep();
+    clock_.here();
+    result_out.write(counters_);
+    clock_.advance(1);
 }
 
 void InlierUnit::clear() {

@@ -6,7 +6,7 @@
 #include "faster/data/token_fields.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/core/depth.hpp"
 #include "modules/inlier_unit/fragment_drawing.hpp"
 #include "modules/inlier_unit/window_sweep.hpp"
@@ -19,7 +19,7 @@ namespace faster {
 ///         edge_map_in, observed_depth_in, observed_edge_in                      W x W each, row-major, afterwards
 ///   out   result_out  one set of counters per sample
 ///   time  loop `clear`; per triangle one step and loop `fragment`; loop `sweep`
-class InlierUnit : public sc_core::sc_module {
+class InlierUnit : public CoreModule {
   public:
     sc_core::sc_fifo_in<std::uint64_t> area_reciprocal_in{"area_reciprocal_in"};
     sc_core::sc_fifo_in<std::int64_t> fragment_depth_in{"fragment_depth_in"};
@@ -32,19 +32,16 @@ class InlierUnit : public sc_core::sc_module {
 
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(InlierUnit);
     InlierUnit(sc_core::sc_module_name const& name, CoreContext const& core);
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void work(std::size_t i) override;
     void clear();
     void draw_triangles();
     Command draw_fragments(std::uint64_t reciprocal, Command command);
     void sweep();
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     datapath::DepthUnit depth_unit_;
     datapath::WindowSweep window_sweep_;
     std::vector<std::uint16_t> depth_buffer_;

@@ -41,17 +41,9 @@ ModuleDescription InlierUnitVariant::describe(AcceleratorConfig const& config) {
 
 InlierUnitVariant::InlierUnitVariant(sc_core::sc_module_name const& name, CoreContext const& core,
                                      DepthBuffers& buffers)
-    : sc_module(name),
-      core_(core),
-      clock_(core.core, "inlier_unit"),
-      depth_unit_(core.stimulus.fraction),
-      buffers_(buffers),
-      scoring_(core, clock_) {
-    SC_THREAD(run);
-}
+    : CoreModule(name, core), depth_unit_(core.stimulus.fraction), buffers_(buffers), scoring_(core, clock_) {}
 
-void InlierUnitVariant::end_of_elaboration() {
-    clock_.connect_all();
+void InlierUnitVariant::connect() {
     fragment_index_ = channel_of(fragment_index_in.pixels);
     index_groups_ = channel_of(fragment_index_in.groups);
     result_ = channel_of(result_out);
@@ -66,17 +58,15 @@ void InlierUnitVariant::end_of_elaboration() {
         scoring_.connect(channel_of(edge_map_in), *channel_of(observed_depth_in), *channel_of(observed_edge_in));
 }
 
-void InlierUnitVariant::run() {
-    depth_buffer_ = &buffers_.claim(buffer_);
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        counters_ = SampleCounters{};
-        clock_.advance(1);
-        clear();
-        core_.config.inlier_unit.fragment_loop == FragmentLoop::flattened ? draw_in_one_loop() : draw_triangles();
-        core_.show_depth_buffer(i, *depth_buffer_);
-        buffers_.size() > 1 ? hand_over() : score(core_.first_sample + i);
-    }
+void InlierUnitVariant::start() { depth_buffer_ = &buffers_.claim(buffer_); }
+
+void InlierUnitVariant::work(std::size_t i) {
+    counters_ = SampleCounters{};
+    clock_.advance(1);
+    clear();
+    core_.config.inlier_unit.fragment_loop == FragmentLoop::flattened ? draw_in_one_loop() : draw_triangles();
+    core_.show_depth_buffer(i, *depth_buffer_);
+    buffers_.size() > 1 ? hand_over() : score(core_.first_sample + i);
 }
 
 void InlierUnitVariant::score(std::size_t sample) {

@@ -6,7 +6,7 @@
 #include "faster/data/buffer_tokens.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/core/depth.hpp"
 #include "modules/inlier_unit/depth_buffers.hpp"
 #include "modules/inlier_unit/fragment_drawing.hpp"
@@ -25,7 +25,7 @@ namespace faster {
 ///   in    depth_free_in   the buffer of the next sample, instead of edge_map_in, observed_depth_in, observed_edge_in
 ///   out   depth_full_out  the drawn one and its region, instead of result_out
 ///   time  a step each instead of loops `extract` and `sweep`
-class InlierUnitVariant : public sc_core::sc_module {
+class InlierUnitVariant : public CoreModule {
   public:
     sc_core::sc_fifo_in<std::uint64_t> area_reciprocal_in{"area_reciprocal_in"};
     PixelsIn<std::int64_t, DepthGroup> fragment_depth_in{"fragment_depth_in"};
@@ -42,12 +42,12 @@ class InlierUnitVariant : public sc_core::sc_module {
     static bool is_needed(AcceleratorConfig const& config);
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(InlierUnitVariant);
     InlierUnitVariant(sc_core::sc_module_name const& name, CoreContext const& core, DepthBuffers& buffers);
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void start() override;
+    void work(std::size_t i) override;
     void clear();
     void draw_triangles();
     void draw_in_one_loop();
@@ -60,8 +60,6 @@ class InlierUnitVariant : public sc_core::sc_module {
     void score(std::size_t sample);
     void hand_over();
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     datapath::DepthUnit depth_unit_;
     DepthBuffers& buffers_;
     std::size_t buffer_ = 0;

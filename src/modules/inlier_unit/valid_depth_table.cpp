@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "modules/inlier_unit/compared_pixels.hpp"
+
 namespace faster::datapath {
 
 ValidDepthTable::ValidDepthTable(Image<std::uint16_t> const& depth, int depth_fraction)
     : height_(depth.height()),
       width_(depth.width()),
       invalid_(static_cast<std::size_t>(height_ + 1) * static_cast<std::size_t>(width_ + 1)) {
-    unsigned const limit = 3U << depth_fraction;
+    unsigned const limit = valid_up_to(depth_fraction);
     auto const stride = static_cast<std::size_t>(width_ + 1);
     for (int row = 0; row < depth.height(); ++row) {
         std::uint32_t const* const above = invalid_.data() + static_cast<std::size_t>(row) * stride;

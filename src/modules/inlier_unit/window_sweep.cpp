@@ -12,7 +12,7 @@ WindowSweep::WindowSweep(int window, int depth_fraction, ContourDepth contour_de
     : window_(window),
       contour_depth_(contour_depth),
       near_limit_(drawn_below(depth_fraction)),
-      valid_limit_(3U << depth_fraction),
+      valid_limit_(valid_up_to(depth_fraction)),
       tolerance_(tolerance_of(depth_fraction)) {}
 
 bool WindowSweep::agrees(unsigned depth, unsigned observed) const {

@@ -59,14 +59,12 @@ void ObservationReader::add_stream(AcceleratorConfig const& config, ModuleDescri
 }
 
 ObservationReader::ObservationReader(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.core, "observation_reader") {
+    : CoreModule(name, core) {
     if (core.sweeps_touched())
         valid_depth_.emplace(core.stimulus.observed_depth, core.stimulus.fraction.depth_buffer);
-    SC_THREAD(run);
 }
 
-void ObservationReader::end_of_elaboration() {
-    clock_.connect_all();
+void ObservationReader::connect() {
     read_.connect(clock_, "read", &channel_of(observed_depth_out), &channel_of(observed_edge_out));
     if (core_.config.memory_placement.observation == Placement::external)
         read_.also_accesses(clock_.memory_port());
@@ -74,22 +72,22 @@ void ObservationReader::end_of_elaboration() {
     table_read_.also_accesses(clock_.memory_port());
 }
 
-void ObservationReader::run() {
+void ObservationReader::start() {
     bool const knows_all = clock_.uses_memory() && !core_.sweeps_touched();
     for (std::size_t i = 0; knows_all && i < core_.sample_count; ++i)
         clock_.tell_entry(pixels_of(i, core_.window_rows()));
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        clock_.here();
-        SampleHeader const header = sample_observation_in.read();
-        clock_.advance(1);
-        if (core_.sweeps_touched())
-            send_valid_depth(i);
-        LaneRows const rows = core_.rows_of(core_.sweeps_touched() ? receive_region() : core_.whole_window());
-        if (clock_.uses_memory() && !knows_all && rows.tokens() > 0)
-            clock_.tell_entry(pixels_of(i, rows));
-        send_pixels(header, rows);
-    }
+}
+
+void ObservationReader::work(std::size_t i) {
+    clock_.here();
+    SampleHeader const header = sample_observation_in.read();
+    clock_.advance(1);
+    if (core_.sweeps_touched())
+        send_valid_depth(i);
+    LaneRows const rows = core_.rows_of(core_.sweeps_touched() ? receive_region() : core_.whole_window());
+    if (clock_.uses_memory() && core_.sweeps_touched() && rows.tokens() > 0)
+        clock_.tell_entry(pixels_of(i, rows));
+    send_pixels(header, rows);
 }
 
 timing::MemoryEntry ObservationReader::pixels_of(std::size_t i, LaneRows const& rows) const {

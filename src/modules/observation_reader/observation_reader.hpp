@@ -6,7 +6,7 @@
 #include "channels/token_loop.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/inlier_unit/valid_depth_table.hpp"
 
 namespace faster {
@@ -19,7 +19,7 @@ namespace faster {
 ///         valid_depth_out        sweep_region touched: how many pixels of the window have a valid depth
 ///   time  loop `read`, one token per iteration; touched: four iterations before, for valid_depth
 /// Source: docs/function.md#samples-and-cores, docs/timing-model.md#sources-of-time.
-class ObservationReader : public sc_core::sc_module {
+class ObservationReader : public CoreModule {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_observation_in{"sample_observation_in"};
     OptionalFifoIn<FragmentIndex> region_in{"region_in"};  ///< unbound unless touched
@@ -29,12 +29,12 @@ class ObservationReader : public sc_core::sc_module {
 
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(ObservationReader);
     ObservationReader(sc_core::sc_module_name const& name, CoreContext const& core);
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void start() override;
+    void work(std::size_t i) override;
     static void add_stream(AcceleratorConfig const& config, ModuleDescription& module);
     timing::MemoryEntry pixels_of(std::size_t i, LaneRows const& rows) const;
     void send_valid_depth(std::size_t i);
@@ -44,8 +44,6 @@ class ObservationReader : public sc_core::sc_module {
     void copy_row(Image<Pixel> const& image, std::int64_t row, std::int64_t first_col, std::int64_t begin,
                   std::size_t pixels, Pixel* out) const;
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     std::optional<datapath::ValidDepthTable> valid_depth_;  ///< sweep_region touched
     // Loop `read`, by what an iteration accesses.
     TokenLoop<Reads<>, Writes<std::uint16_t, std::uint8_t>> read_;

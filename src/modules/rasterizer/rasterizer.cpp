@@ -36,13 +36,7 @@ ModuleDescription Rasterizer::describe() {
     return module;
 }
 
-Rasterizer::Rasterizer(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.core, "rasterizer") {
-    SC_THREAD(run);
-}
-
-void Rasterizer::end_of_elaboration() {
-    clock_.connect_all();
+void Rasterizer::connect() {
     scan_loop_ = clock_.loop("scan");
     burst_.connect(channel_of(command_out), channel_of(fragment_depth_out), channel_of(fragment_index_out),
                    &channel_of(edge_token_out));
@@ -51,17 +45,14 @@ void Rasterizer::end_of_elaboration() {
                       channel_of(fragment_index_out).write_port() | ports_.edge;
 }
 
-void Rasterizer::run() {
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        clock_.here();
-        window_ = WindowPlace::of(core_, sample_raster_in.read());
-        clock_.stamp();
-        clock_.advance(1);
-        for (std::uint32_t triangles = core_.sample(i).triangle_count; triangles > 0; --triangles)
-            draw(receive_triangle());
-        end_sample();
-    }
+void Rasterizer::work(std::size_t i) {
+    clock_.here();
+    window_ = WindowPlace::of(core_, sample_raster_in.read());
+    clock_.stamp();
+    clock_.advance(1);
+    for (std::uint32_t triangles = core_.sample(i).triangle_count; triangles > 0; --triangles)
+        draw(receive_triangle());
+    end_sample();
 }
 
 TriangleCode Rasterizer::receive_triangle() {

@@ -3,7 +3,7 @@
 
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/rasterizer/run_iterations.hpp"
 #include "modules/rasterizer/scan_burst.hpp"
 #include "modules/rasterizer/triangle_setup.hpp"
@@ -21,7 +21,7 @@ namespace faster {
 ///         edge_token_out      object and edge pixels, End per sample
 ///   time  per triangle 3 vertex steps, `setup`, one step to announce it; loop `scan`, one pixel or edge flush per
 ///         iteration
-class Rasterizer : public sc_core::sc_module {
+class Rasterizer : public CoreModule {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_raster_in{"sample_raster_in"};
     sc_core::sc_fifo_in<VertexCode> vertex_in{"vertex_in"};
@@ -33,12 +33,11 @@ class Rasterizer : public sc_core::sc_module {
 
     static ModuleDescription describe();
 
-    SC_HAS_PROCESS(Rasterizer);
-    Rasterizer(sc_core::sc_module_name const& name, CoreContext const& core);
+    using CoreModule::CoreModule;
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void work(std::size_t i) override;
     TriangleCode receive_triangle();
     void draw(TriangleCode const& triangle);
     void scan(datapath::TriangleSetup const& setup);
@@ -46,8 +45,6 @@ class Rasterizer : public sc_core::sc_module {
     void scan_run(datapath::ScanLine const& line);
     void end_sample();
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     unsigned scan_loop_ = 0;
     ScanPorts ports_;
     ScanBurst burst_;

@@ -61,19 +61,15 @@ ModuleDescription RasterizerVariant::describe(AcceleratorConfig const& config) {
 }
 
 RasterizerVariant::RasterizerVariant(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name),
-      core_(core),
-      clock_(core.core, "rasterizer"),
+    : CoreModule(name, core),
       sends_near_edges_(core.config.edge_map.algorithm == EdgeMapAlgorithm::threshold),
       thresholds_(datapath::threshold_codes(core.config.edge_map.thresholds, core.stimulus.fraction.vertex_xy)),
       scan_(core.config.rasterizer.setup_overlap > 0 ? configured_scan<true>() : configured_scan<false>()) {
     if (core.sweeps_touched())
         touched_.emplace(core.stimulus.window, touched_margin(core.config));
-    SC_THREAD(run);
 }
 
-void RasterizerVariant::end_of_elaboration() {
-    clock_.connect_all();
+void RasterizerVariant::connect() {
     vertex_ = &channel_of(vertex_in);
     area_ = &channel_of(area_out);
     command_ = &channel_of(command_out);
@@ -92,14 +88,11 @@ void RasterizerVariant::end_of_elaboration() {
     scan_loop_ = clock_.loop("scan");
 }
 
-void RasterizerVariant::run() {
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        start_sample();
-        std::uint32_t const triangles = core_.sample(i).triangle_count;
-        core_.config.rasterizer.setup_overlap > 0 ? draw_overlapped(triangles) : draw_one_by_one(triangles);
-        end_sample();
-    }
+void RasterizerVariant::work(std::size_t i) {
+    start_sample();
+    std::uint32_t const triangles = core_.sample(i).triangle_count;
+    core_.config.rasterizer.setup_overlap > 0 ? draw_overlapped(triangles) : draw_one_by_one(triangles);
+    end_sample();
 }
 
 void RasterizerVariant::draw_one_by_one(std::uint32_t triangles) {

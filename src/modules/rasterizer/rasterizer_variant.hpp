@@ -7,7 +7,7 @@
 #include "channels/pixels_fifo.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/rasterizer/grouped_line.hpp"
 #include "modules/rasterizer/near_edge_scan.hpp"
 #include "modules/rasterizer/run_iterations.hpp"
@@ -26,7 +26,7 @@ namespace faster {
 ///         pixels of `lanes` adjacent ones, as one fragment
 ///   time  loop `scan`: a pixel, group or edge flush per iteration. With setup_overlap one loop `scan` per sample: its
 ///         iterations also read vertices and announce triangles
-class RasterizerVariant : public sc_core::sc_module {
+class RasterizerVariant : public CoreModule {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_raster_in{"sample_raster_in"};
     sc_core::sc_fifo_in<VertexCode> vertex_in{"vertex_in"};
@@ -41,12 +41,11 @@ class RasterizerVariant : public sc_core::sc_module {
     static bool is_needed(AcceleratorConfig const& config);
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(RasterizerVariant);
     RasterizerVariant(sc_core::sc_module_name const& name, CoreContext const& core);
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void work(std::size_t i) override;
     void start_sample();
     void draw_one_by_one(std::uint32_t triangles);
     TriangleCode receive_triangle();
@@ -84,8 +83,6 @@ class RasterizerVariant : public sc_core::sc_module {
 
     datapath::TriangleSetup set_up(TriangleCode const& triangle) const;
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     bool sends_near_edges_;                   ///< thesis 5.1's edge tokens, not A.1's
     std::array<std::int64_t, 3> thresholds_;  ///< in codes of edge values
     Scan scan_;

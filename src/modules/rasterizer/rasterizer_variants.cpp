@@ -107,14 +107,10 @@ void RasterizerVariant::draw_overlapped(std::uint32_t triangles) {
 void RasterizerVariant::begin_triangle(datapath::TriangleSetup const& setup) {
     clock_.await_setup();
     read_ahead();
-    area_->await_room();
-    *area_->reserve(1) = setup.area;
-    area_->commit(1);
+    area_->put(setup.area);
     timing::Ports ports = area_->write_port();
     if (setup.drawn()) {
-        command_->await_room();
-        *command_->reserve(1) = Command::Triangle;
-        command_->commit(1);
+        command_->put(Command::Triangle);
         ports = ports | command_->write_port();
     }
     iterate<true>(ports, 1);

@@ -15,23 +15,16 @@ ModuleDescription ResultCollector::describe(AcceleratorConfig const& config) {
     return module;
 }
 
-ResultCollector::ResultCollector(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.core, "result_collector") {
-    SC_THREAD(run);
-}
-
-void ResultCollector::end_of_elaboration() { clock_.connect_all(); }
-
-void ResultCollector::run() {
+void ResultCollector::start() {
     for (std::size_t i = 0; clock_.uses_memory() && i < core_.sample_count; ++i)
         clock_.tell_entry(result_entry(core_.config.memory_placement, i, core_.first_sample + i));
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        results_.push_back(receive());
-        clock_.stamp();
-        clock_.advance(1);
-        clock_.end_sample();
-    }
+}
+
+void ResultCollector::work(std::size_t /*i*/) {
+    results_.push_back(receive());
+    clock_.stamp();
+    clock_.advance(1);
+    clock_.end_sample();
 }
 
 SampleCounters ResultCollector::receive() {

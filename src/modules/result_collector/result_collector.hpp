@@ -5,7 +5,7 @@
 #include "channels/port_binding.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 
 namespace faster {
 
@@ -14,25 +14,22 @@ namespace faster {
 ///         valid_depth_in  sweep_region touched: one per sample, which takes its place among the counters
 ///   time  one step per sample
 /// Source: docs/timing-model.md#sources-of-time.
-class ResultCollector : public sc_core::sc_module {
+class ResultCollector : public CoreModule {
   public:
     sc_core::sc_fifo_in<SampleCounters> result_in{"result_in"};
     OptionalFifoIn<std::uint64_t> valid_depth_in{"valid_depth_in"};  ///< unbound unless touched
 
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(ResultCollector);
-    ResultCollector(sc_core::sc_module_name const& name, CoreContext const& core);
+    using CoreModule::CoreModule;
     /// By sample of this core.
     std::vector<SampleCounters> const& results() const { return results_; }
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void start() override;
+    void work(std::size_t i) override;
     SampleCounters receive();
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     std::vector<SampleCounters> results_;
 };
 

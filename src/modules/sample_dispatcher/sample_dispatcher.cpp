@@ -22,30 +22,23 @@ ModuleDescription SampleDispatcher::describe() {
     return module;
 }
 
-SampleDispatcher::SampleDispatcher(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name), core_(core), clock_(core.core, "sample_dispatcher") {
-    SC_THREAD(run);
-}
-
-void SampleDispatcher::end_of_elaboration() { clock_.connect_all(); }
-
-void SampleDispatcher::run() {
+void SampleDispatcher::start() {
     for (std::size_t i = 0; clock_.uses_memory() && i < core_.sample_count; ++i)
         clock_.tell_entry(header_entry(core_.config.memory_placement, i, core_.first_sample + i));
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        SampleInput const& sample = core_.sample(i);
-        SampleHeader const header{static_cast<std::uint32_t>(core_.first_sample + i), sample.centre_row,
-                                  sample.centre_col, sample.triangle_count};
-        {
-            Step const step(clock_);
-            clock_.access_memory();
-            sample_vertex_out.write(header);
-            sample_raster_out.write(header);
-            sample_observation_out.write(header);
-        }
-        clock_.advance(1);
+}
+
+void SampleDispatcher::work(std::size_t i) {
+    SampleInput const& sample = core_.sample(i);
+    SampleHeader const header{static_cast<std::uint32_t>(core_.first_sample + i), sample.centre_row, sample.centre_col,
+                              sample.triangle_count};
+    {
+        Step const step(clock_);
+        clock_.access_memory();
+        sample_vertex_out.write(header);
+        sample_raster_out.write(header);
+        sample_observation_out.write(header);
     }
+    clock_.advance(1);
 }
 
 }  // namespace faster

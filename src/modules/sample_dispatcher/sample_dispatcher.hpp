@@ -2,7 +2,7 @@
 #include <systemc>
 
 #include "faster/data/tokens.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 
 namespace faster {
 
@@ -10,7 +10,7 @@ namespace faster {
 ///   out   sample_vertex_out, sample_raster_out, sample_observation_out: one header per sample each, together
 ///   time  one step per sample
 /// Source: docs/function.md#samples-and-cores, docs/timing-model.md#sources-of-time.
-class SampleDispatcher : public sc_core::sc_module {
+class SampleDispatcher : public CoreModule {
   public:
     sc_core::sc_fifo_out<SampleHeader> sample_vertex_out{"sample_vertex_out"};
     sc_core::sc_fifo_out<SampleHeader> sample_raster_out{"sample_raster_out"};
@@ -18,15 +18,11 @@ class SampleDispatcher : public sc_core::sc_module {
 
     static ModuleDescription describe();
 
-    SC_HAS_PROCESS(SampleDispatcher);
-    SampleDispatcher(sc_core::sc_module_name const& name, CoreContext const& core);
+    using CoreModule::CoreModule;
 
   private:
-    void end_of_elaboration() override;
-    void run();
-
-    CoreContext const& core_;
-    ProcessClock clock_;
+    void start() override;
+    void work(std::size_t i) override;
 };
 
 }  // namespace faster

@@ -36,33 +36,27 @@ ModuleDescription VertexTransform::describe(AcceleratorConfig const& config) {
 }
 
 VertexTransform::VertexTransform(sc_core::sc_module_name const& name, CoreContext const& core)
-    : sc_module(name),
-      core_(core),
-      clock_(core.core, "vertex_transform"),
-      transformer_(core.stimulus.posed, core.stimulus.fraction) {
-    SC_THREAD(run);
-}
+    : CoreModule(name, core), transformer_(core.stimulus.posed, core.stimulus.fraction) {}
 
-void VertexTransform::end_of_elaboration() {
-    clock_.connect_all();
+void VertexTransform::connect() {
     vertex_.connect(clock_, "vertex", &channel_of(vertex_out));
     vertex_.also_accesses(clock_.memory_port());
 }
 
-void VertexTransform::run() {
+void VertexTransform::start() {
     for (std::size_t i = 0; clock_.uses_memory() && i < core_.sample_count; ++i)
         if (core_.sample(i).triangle_count > 0)
             clock_.tell_entry(mesh_entry(core_.config.memory_placement, i, core_.sample(i).triangle_count));
-    for (std::size_t i = 0; i < core_.sample_count; ++i) {
-        clock_.begin_sample();
-        clock_.here();
-        SampleHeader const header = sample_vertex_in.read();
+}
+
+void VertexTransform::work(std::size_t /*i*/) {
+    clock_.here();
+    SampleHeader const header = sample_vertex_in.read();
+    clock_.advance(1);
+    if (header.triangles > 0)
+        send(triangles_of(header), header.triangles);
+    else
         clock_.advance(1);
-        if (header.triangles > 0)
-            send(triangles_of(header), header.triangles);
-        else
-            clock_.advance(1);
-    }
 }
 
 TriangleCode const* VertexTransform::triangles_of(SampleHeader const& header) {

@@ -4,7 +4,7 @@
 #include "channels/token_loop.hpp"
 #include "faster/data/tokens.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/core_module.hpp"
 #include "modules/vertex_transform/project_vertices.hpp"
 
 namespace faster {
@@ -15,24 +15,22 @@ namespace faster {
 ///   time  loop `vertex`, one vertex per iteration
 /// Source: docs/function.md#vertex-transform, docs/timing-model.md#sources-of-time (the thesis does not time its vertex
 /// stage).
-class VertexTransform : public sc_core::sc_module {
+class VertexTransform : public CoreModule {
   public:
     sc_core::sc_fifo_in<SampleHeader> sample_vertex_in{"sample_vertex_in"};
     sc_core::sc_fifo_out<VertexCode> vertex_out{"vertex_out"};
 
     static ModuleDescription describe(AcceleratorConfig const& config);
 
-    SC_HAS_PROCESS(VertexTransform);
     VertexTransform(sc_core::sc_module_name const& name, CoreContext const& core);
 
   private:
-    void end_of_elaboration() override;
-    void run();
+    void connect() override;
+    void start() override;
+    void work(std::size_t i) override;
     TriangleCode const* triangles_of(SampleHeader const& header);
     void send(TriangleCode const* triangles, std::size_t count);
 
-    CoreContext const& core_;
-    ProcessClock clock_;
     datapath::VertexTransformer transformer_;
     std::vector<TriangleCode> triangles_;
     TokenLoop<Reads<>, Writes<VertexCode>> vertex_;

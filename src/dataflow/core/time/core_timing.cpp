@@ -38,8 +38,7 @@ void CoreTiming::connect() {
         for (unsigned port = 0; port < process.port_count(); ++port) {
             if (process.fifo(port).is_stream())
                 continue;
-            Ends const& both = ends_[number_of(process.fifo(port))];
-            int const other = process.writes(port) ? both.reader : both.writer;
+            int const other = other_end(process, port);
             process.set_neighbour(port, other < 0 ? 0 : bit_of(static_cast<std::size_t>(other)));
         }
     find_patient();
@@ -178,11 +177,9 @@ void CoreTiming::shorten_trail() {
 
 /// Who has to go on before a process can.
 std::string CoreTiming::name_at_other_end(ProcessTiming const& process, unsigned port) const {
-    FifoTiming const& fifo = process.fifo(port);
-    if (fifo.is_stream())
+    if (process.fifo(port).is_stream())
         return "memory";
-    Ends const& both = ends_[number_of(fifo)];
-    int const other = process.writes(port) ? both.reader : both.writer;
+    int const other = other_end(process, port);
     return other < 0 ? "nobody" : processes_[static_cast<std::size_t>(other)].name();
 }
 

@@ -86,12 +86,11 @@ class CoreTiming {
     std::deque<ProcessTiming> const& processes() const { return processes_; }
     std::size_t number_of(FifoTiming const& fifo) const;
     std::size_t number_of(MemoryStream const& stream) const;
-    /// Numbers of the processes at a FIFO; -1: none. Once connected, by the first resolve().
-    struct Ends {
-        int writer = -1;
-        int reader = -1;
-    };
-    Ends const& ends(unsigned process, unsigned port) const { return ends_[number_of(processes_[process].fifo(port))]; }
+    /// Number of the process at the other end of a process's FIFO; -1: none. Once connected, by the first resolve().
+    int other_end(ProcessTiming const& process, unsigned port) const {
+        Ends const& ends = ends_[number_of(process.fifo(port))];
+        return process.writes(port) ? ends.reader : ends.writer;
+    }
 
     /// The processes with operations left, in order; call after resolve(). Empty unless the core is stuck.
     std::vector<BlockedProcess> blocked();
@@ -130,6 +129,10 @@ class CoreTiming {
     std::deque<FifoTiming> fifos_;  // deque: references stay valid
     std::deque<MemoryStream> streams_;
     std::deque<ProcessTiming> processes_;
+    struct Ends {
+        int writer = -1;
+        int reader = -1;
+    };
     std::vector<Ends> ends_;            // by FIFO
     std::vector<ProcessMask> patient_;  // by process: those that need not go on at once when it has
     bool keeps_logs_ = false;

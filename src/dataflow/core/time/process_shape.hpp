@@ -88,7 +88,7 @@ struct ProcessShape {
     std::vector<LoopShape> loops;
     std::vector<LoopPlan> plans;  ///< of the loops
     Cycles setup_cycles = 0;      ///< of one setup
-    bool sets_up_ahead = false;   ///< setups may take their time beside a loop: one that both reads and writes
+    bool sets_up_ahead = false;  ///< it has a loop that both reads and writes, and setups may take their time beside it
     bool has_interlocks = false;  ///< iterations of a loop may wait for others to write
     CallStart call_start;
     Cycles stamps_back = 0;      ///< cycles between what a stamp notes and the local time

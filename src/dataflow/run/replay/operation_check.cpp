@@ -42,11 +42,11 @@ bool OperationCheck::has_ports(timing::Ports::Number ports) const {
     return has;
 }
 
-/// An iteration reads or writes; both only in loops that prepare.
+/// An iteration reads or writes; both only in processes that have a loop of both.
 bool OperationCheck::can_iterate(timing::Ports::Number ports) const {
     bool reads = false, writes = false;
     timing::Ports(ports).each([&](unsigned port) { (process_->writes(port) ? writes : reads) = true; });
-    return prepares_beside_loops() || !reads || !writes;
+    return process_->shape()->sets_up_ahead || !reads || !writes;
 }
 
 bool OperationCheck::accepts_iterations(Operation const& operation) const {
@@ -66,7 +66,7 @@ bool OperationCheck::accepts_wait(Operation const& operation) {
         return state_.in_loop && accepts_await_write(operation);
     if (operation.gap() <= Operation::whole_setup || operation.gap() == Operation::call_start)
         return !state_.in_loop;
-    if (!prepares_beside_loops())
+    if (!process_->shape()->sets_up_ahead)
         return false;
     state_.setups += operation.gap() == Operation::setup_begin ? 1 : -1;
     return state_.in_loop && state_.setups >= 0;
@@ -96,8 +96,6 @@ bool OperationCheck::accepts_await_write(Operation const& operation) const {
     bool const is_known = state_.loop < loops.size();
     return operation.count() > 0 && (is_known ? has(loops[state_.loop]) : std::any_of(loops.begin(), loops.end(), has));
 }
-
-bool OperationCheck::prepares_beside_loops() const { return process_->shape()->sets_up_ahead; }
 
 bool OperationCheck::is_in_loop_at(Operation const& operation) {
     switch (operation.kind()) {

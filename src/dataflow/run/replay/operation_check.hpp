@@ -40,7 +40,6 @@ class OperationCheck {
     bool accepts_choice(timing::Operation const& operation) const;
     bool makes_attempts() const;
     bool accepts_await_write(timing::Operation const& operation) const;
-    bool prepares_beside_loops() const;
 
     timing::ProcessTiming const* process_;
     State state_;

@@ -15,7 +15,7 @@ PathSweep::Position decided(CoreTiming const& core, unsigned process, unsigned p
                             ProcessTiming::Flight const& flight) {
     if (!flight.is_room)
         return {process, flight.since};
-    return {static_cast<unsigned>(core.ends(process, port).reader), flight.since - 1};
+    return {static_cast<unsigned>(core.other_end(core.processes()[process], port)), flight.since - 1};
 }
 
 /// Whatever happens from now on has its causes in what a process has done so far, or in a token or a gap of a FIFO.
@@ -217,12 +217,12 @@ void PathSweep::land(TrailEvent const& event, Cycles time) {
 /// The access that made the one legal that a process waited for until `time`.
 PathSweep::Position PathSweep::origin(TrailEvent const& event, Cycles time) {
     ++sums_.turns(event.process, event.region, event.port);
-    CoreTiming::Ends const& ends = core_.ends(event.process, event.port);
-    FifoShape const& shape = core_.processes()[event.process].fifo(event.port).shape();
-    if (core_.processes()[event.process].writes(event.port))
-        return {static_cast<unsigned>(ends.reader), time - shape.room_latency};
-    return {static_cast<unsigned>(ends.writer), time - shape.read_latency - shape.issue_latency,
-            shape.flushing_stages > 0};
+    ProcessTiming const& process = core_.processes()[event.process];
+    FifoShape const& shape = process.fifo(event.port).shape();
+    auto const other = static_cast<unsigned>(core_.other_end(process, event.port));
+    if (process.writes(event.port))
+        return {other, time - shape.room_latency};
+    return {other, time - shape.read_latency - shape.issue_latency, shape.flushing_stages > 0};
 }
 
 void PathSweep::add_own(unsigned process, Region region, Cycles step, Cycles cycles) {

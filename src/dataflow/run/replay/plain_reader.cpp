@@ -4,12 +4,12 @@
 
 namespace dataflow::replay {
 
-PlainReader::PlainReader(RecordedRun const& run) : run_(run), tape_(run.tape, LeadCore(*run.blueprint, run.lead)) {}
-
 SampleOperations PlainReader::read(std::size_t sample) {
     if (auto const unfinished = run_.unfinished.find(sample); unfinished != run_.unfinished.end())
         return unfinished->second;
-    return joined(tape_.read(sample), tape_.known().book(), tape_.known().lead().group);
+    if (!tape_)
+        tape_.emplace(run_.tape, LeadCore(*run_.blueprint, run_.lead));
+    return joined(tape_->read(sample), tape_->known().book(), tape_->known().lead().group);
 }
 
 void append_sample(std::vector<timing::Operation> const& operations, timing::OperationLog& log) {

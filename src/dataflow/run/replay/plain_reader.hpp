@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 
 #include "dataflow/run/replay/recorded_run.hpp"
 #include "dataflow/run/replay/sample_operations.hpp"
@@ -7,15 +8,15 @@
 
 namespace dataflow::replay {
 
-/// Reads samples of a run, which must outlive it, as operations, no phrases.
+/// Reads samples of a run, which must outlive it, as operations, no phrases. Opens the tape when first asked.
 class PlainReader {
   public:
-    explicit PlainReader(RecordedRun const& run);
+    explicit PlainReader(RecordedRun const& run) : run_(run) {}
     SampleOperations read(std::size_t sample);
 
   private:
     RecordedRun const& run_;
-    TapeReader tape_;
+    std::optional<TapeReader> tape_;
 };
 
 /// Appends what a process does for a sample. It may begin with a wait on from where the last sample ended: one wait

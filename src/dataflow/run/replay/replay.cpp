@@ -143,8 +143,7 @@ std::vector<std::optional<std::size_t>> Replay::awaited_processes() {
             continue;
         }
         unsigned const port = status == Status::blocked ? process.blocking_port() : process.flushing_port();
-        timing::CoreTiming::Ends const& ends = core_.ends(i, port);
-        int const other = process.writes(port) ? ends.reader : ends.writer;
+        int const other = core_.other_end(process, port);
         awaited.emplace_back(other < 0 ? i : static_cast<std::size_t>(other));
     }
     return awaited;

@@ -38,13 +38,8 @@ void feed_all(std::vector<std::unique_ptr<Replay>> const& replays, timing::Answe
     }
 }
 
-/// Opens the tape when first asked.
 Replay::Plain plain_reader(ScriptedRun const& run) {
-    return [&run, reader = std::shared_ptr<PlainReader>()](std::size_t sample) mutable {
-        if (reader == nullptr)
-            reader = std::make_shared<PlainReader>(run.run());
-        return reader->read(sample);
-    };
+    return [reader = std::make_shared<PlainReader>(run.run())](std::size_t sample) { return reader->read(sample); };
 }
 
 Cores retime_cores(ScriptedRun const& run, Following following, Machine const& machine,

@@ -24,20 +24,17 @@ namespace {
 /// Samples as operations, from a script as long as there is one.
 class PlainSamples {
   public:
-    explicit PlainSamples(ScriptedRun const& run) : run_(run), lead_(*run.run().blueprint, run.lead()) {}
+    explicit PlainSamples(ScriptedRun const& run)
+        : run_(run), lead_(*run.run().blueprint, run.lead()), reader_(run.run()) {}
 
     SampleOperations read(std::size_t sample) {
-        if (sample < run_.size())
-            return joined(run_[sample], run_.book(), lead_.group);
-        if (reader_ == nullptr)
-            reader_ = std::make_unique<PlainReader>(run_.run());
-        return reader_->read(sample);
+        return sample < run_.size() ? joined(run_[sample], run_.book(), lead_.group) : reader_.read(sample);
     }
 
   private:
     ScriptedRun const& run_;
     LeadCore lead_;
-    std::unique_ptr<PlainReader> reader_;
+    PlainReader reader_;
 };
 
 enum class Source { scripts, operations };

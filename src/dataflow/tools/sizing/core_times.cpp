@@ -221,7 +221,7 @@ std::vector<Cycles> const& CoreTimes::results_of(timing::CoreTiming const& core)
 timing::ProcessTiming const* CoreTimes::writer_of_results(timing::CoreTiming const& core) const {
     timing::ProcessTiming const& collector = core.processes()[machine_.ends];
     std::optional<unsigned> const port = first_read_port(collector);
-    return port ? &core.processes()[static_cast<std::size_t>(core.ends(collector.index(), *port).writer)] : nullptr;
+    return port ? &core.processes()[static_cast<std::size_t>(core.other_end(collector, *port))] : nullptr;
 }
 
 /// What the writer of the results does is the same with all FIFOs; only its waiting is not. It takes at least what the

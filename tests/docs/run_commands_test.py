@@ -84,6 +84,8 @@ LONG = {
     "out/memory.events": "for the line before it",
     "out/next.events": "for the line before it",
     "--fst out/banana.fst": "seconds of writing",
+    "--timeline out/banana.json": "seconds of writing",
+    "banana.yaml --sensitivities": "seconds; 150 retimings",
     "configs/sweeps/architectures.yaml": "minutes",
     "configs/sweeps/own_designs.yaml": "minutes",
     "edge-quality --poses 50": "minutes",

@@ -6,6 +6,7 @@
 #include "dataflow/tools/explore/replayed_timeline.hpp"
 #include "dataflow/tools/recording/core_timeline.hpp"
 #include "faster/dataflow_names.hpp"
+#include "support/engine_agreement.hpp"
 #include "support/forked_simulation.hpp"
 #include "support/memory_trials.hpp"
 #include "support/random_stimulus.hpp"
@@ -88,6 +89,10 @@ TEST_CASE("Engines and twin agree behind external memory, seeds 20000 to 20039",
     CHECK(deadlocks < 12);
 }
 
+TEST_CASE("Engines and twin agree behind external memory, large windows", "[engine_vs_twin][memory]") {
+    CHECK(check_memory_seeds(first_with_large_windows, 12) < 6);
+}
+
 TEST_CASE("Recorded runs behind external memory are retimed as they would run, seeds 20000 to 20019",
           "[engine_vs_twin][memory][retime]") {
     CHECK(check_memory_retimings(20000, 20) > 12);
@@ -126,6 +131,32 @@ TEST_CASE("A memory that nothing limits costs the engines what the page derives"
 TEST_CASE("Engines and twin agree behind external memory where they did not at first", "[engine_vs_twin][memory]") {
     for (std::uint64_t const seed : {21561U, 21444U, 21200U, 30042U, 31230U})
         CHECK(check_memory_seeds(seed, 1) >= 0);
+}
+
+TEST_CASE("Tokens that need no memory, more than there is room for at first, go on as before",
+          "[engine_vs_twin][memory]") {
+    // Windows beyond the image's edges: a thousand pixels lie between those that are fetched for one sample and the
+    // next.
+    Stimulus stimulus;
+    stimulus.width = 75;
+    stimulus.height = 20;
+    stimulus.window = 40;
+    stimulus.observed_depth = Image<std::uint16_t>(20, 75, 0);
+    stimulus.observed_edges = Image<std::uint8_t>(20, 75, 0);
+    VertexCode const outside{-32768, -32768, 0};
+    stimulus.triangles.assign(1394, TriangleCode{{outside, outside, outside}});
+    stimulus.samples = {{15, 66, 0, 0}, {4, 66, 0, 0}, {19, 28, 0, 646}, {7, 35, 0, 1394}};
+    AcceleratorConfig config;
+    config.cores = 2;
+    config.fifo(FifoId::edge_map).depth = 16;
+    config.setup("rasterizer") = 1;
+    config.external_memory.model = MemoryModel::axi;
+    config.external_memory.prefetch = true;
+    config.external_memory.outstanding = 4;
+    config.external_memory.dram_gb_per_s = 1.5;
+    config.external_memory.request_cycles = 100;
+    adopt(stimulus, config);
+    CHECK(check_agreement(config, stimulus));
 }
 
 }  // namespace faster::testing::external_memory_test

@@ -18,6 +18,10 @@ TEST_CASE("Engines and twin agree behind external memory, seeds 31500 to 32999",
     CHECK(check_memory_seeds(31500, 1500) > 50);
 }
 
+TEST_CASE("Engines and twin agree behind external memory, large windows", "[engine_vs_twin][memory]") {
+    CHECK(check_memory_seeds(first_with_large_windows, 300) > 10);
+}
+
 TEST_CASE("Recorded runs behind external memory are retimed as they would run, seeds 21000 to 21599",
           "[engine_vs_twin][memory][retime]") {
     CHECK(check_memory_retimings(21000, 600) > 400);

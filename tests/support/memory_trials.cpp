@@ -19,11 +19,16 @@ namespace {
 /// Tokens of many pixels lie across beats and bursts, which few others do.
 bool has_wide_tokens(std::uint64_t seed) { return seed % 6 == 0; }
 
+/// A thousand pixels are what there is room for at first of what comes from memory.
+bool has_large_window(std::uint64_t seed) { return seed >= first_with_large_windows; }
+
 RandomStimulusOptions stimuli(std::uint64_t seed) {
     RandomStimulusOptions options;
     options.width = {24, 64};
     options.height = {24, 64};
     options.window = has_wide_tokens(seed) ? IntRange{16, 24} : IntRange{4, 20};
+    if (has_large_window(seed))
+        options.window = {33, 48};
     options.samples = {0, seed % 5 == 0 ? 24 : 8};
     options.random_fraction_bits = seed % 3 == 0;
     return options;

@@ -13,6 +13,8 @@ struct MemoryTrial {
     AcceleratorConfig config;
 };
 MemoryTrial memory_trial(std::uint64_t seed);
+/// From this seed on windows have more than a thousand pixels.
+constexpr std::uint64_t first_with_large_windows = 50000;
 
 /// What a retiming of it may change, changed at random.
 AcceleratorConfig other_timing(std::uint64_t seed, AcceleratorConfig config);

@@ -185,20 +185,20 @@ template <class Time> StateWord const* load_setups(std::vector<Time>& setups, Ti
     return words;
 }
 
-/// Bubbles of a loop are their number, and how many iterations ago they were, and how many steps.
-template <class Time> std::size_t words_of_bubbles(ProcessState<Time> const& state) {
-    return 1 + 2 * state.bubbles.size();
+/// Waits for writes, of a loop: how many, and of each how many iterations ago it was, and how many steps.
+template <class Time> std::size_t words_of_write_waits(ProcessState<Time> const& state) {
+    return 1 + 2 * state.write_waits.size();
 }
-template <class Process> void save_bubbles(Process& process, StatePage& page) {
-    auto const& all = process.latest_bubbles();
+template <class Process> void save_write_waits(Process& process, StatePage& page) {
+    auto const& all = process.latest_write_waits();
     page.put(static_cast<StateWord>(all.size()));
-    for (auto const& bubbles : all) {
-        page.put(static_cast<StateWord>(static_cast<std::int64_t>(process.state().iterations) - bubbles.iteration));
-        page.put(static_cast<StateWord>(bubbles.steps));
+    for (auto const& wait : all) {
+        page.put(static_cast<StateWord>(static_cast<std::int64_t>(process.state().iterations) - wait.iteration));
+        page.put(static_cast<StateWord>(wait.steps));
     }
 }
-template <class Process> StateWord const* load_bubbles(Process& process, StateWord const* words) {
-    auto& all = process.restored_bubbles();
+template <class Process> StateWord const* load_write_waits(Process& process, StateWord const* words) {
+    auto& all = process.restored_write_waits();
     for (StateWord left = *words++; left > 0; --left, words += 2)
         all.push_back(
             {static_cast<std::int64_t>(process.state().iterations) - words[0], static_cast<Cycles>(words[1])});
@@ -221,7 +221,7 @@ template <class Process> void save_process(Process& process, ProcessFlags flags,
     if (process.sets_up_ahead())
         save_setups(state, page);
     if (process.has_interlocks())
-        save_bubbles(process, page);
+        save_write_waits(process, page);
     for (std::size_t i = 0; i < flags.left; ++i)
         page.put_operation(process.log().begin()[i].code());
 }
@@ -233,7 +233,7 @@ template <class Process> std::size_t most_words_of(Process const& process, Proce
         longest_lag = std::max(longest_lag, plan.longest_lag);
     return 1 + ProcessFlags::words + longest_lag + (process.flushes() ? words_of(process.state().flushing) : 0) +
            (process.sets_up_ahead() ? words_of_setups(process.state()) : 0) +
-           (process.has_interlocks() ? words_of_bubbles(process.state()) : 0) +
+           (process.has_interlocks() ? words_of_write_waits(process.state()) : 0) +
            words_of_operation * process.log().pending();
 }
 
@@ -253,7 +253,7 @@ StateWord const* load_process(Process& process, typename Process::Time base, Sta
     if (process.sets_up_ahead())
         words = load_setups(process.restored_setups(), base, words);
     if (process.has_interlocks())
-        words = load_bubbles(process, words);
+        words = load_write_waits(process, words);
     for (std::size_t i = flags.left; i > 0; --i)
         process.put_back(Operation(code_of(words + words_of_operation * (i - 1))));
     return words + words_of_operation * flags.left;

@@ -221,9 +221,13 @@ std::uint64_t SteadyState::whole_periods_left(Snapshot const& now) const {
         periods = std::min(periods, (operation.count() - 1) / done);
     }
     for (std::size_t i = 0; i < ends_.size(); ++i) {
+        End const& end = ends_[i];
         std::uint64_t const accesses = now.ends[i].count - before_.ends[i].count;
-        if (ends_[i].open() && accesses > 0)
-            periods = std::min(periods, ends_[i].free / accesses);
+        if (!end.open() || accesses == 0)
+            continue;
+        if (accesses > end.fifo->end(end.writes).appends->kept())
+            return 0;  // repeat() goes by those of the last period
+        periods = std::min(periods, end.free / accesses);
     }
     return periods;
 }

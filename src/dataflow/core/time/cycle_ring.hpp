@@ -76,12 +76,15 @@ class CycleRing {
         appended_at_ = mask_ + 1;
         appended_ = consumed_ + count;
     }
+    /// Of the last, known or consumed.
+    std::uint64_t kept() const { return std::min(appended_, mask_ + 1); }
     /// Makes room for as many again.
     void grow() {
         CycleRing larger(2 * mask_ + 1);
-        larger.consumed_ = larger.appended_ = consumed_;
-        for (std::uint64_t i = 0; i < known(); ++i)
-            larger.append((*this)[i]);
+        larger.consumed_ = consumed_;
+        larger.appended_ = appended_ - kept();
+        for (std::uint64_t i = appended_ - kept(); i < appended_; ++i)
+            larger.append(cycles_[appended_at_ + (i & mask_)]);
         *this = std::move(larger);
     }
     /// From the beginning on, so many zeros are known.

@@ -96,14 +96,14 @@ template <class Process, class Port> class ProcessRules {
     bool sets_up_ahead() const { return shape_->sets_up_ahead; }
     bool has_interlocks() const { return shape_->has_interlocks; }
     /// What its loop has waited for writes, as far as that decides anything.
-    std::vector<typename ProcessState<Time>::Bubbles> const& latest_bubbles() {
-        if (state_.in_loop && !state_.bubbles.empty())
-            forget_bubbles();
-        return state_.bubbles;
+    std::vector<typename ProcessState<Time>::WriteWait> const& latest_write_waits() {
+        if (state_.in_loop && !state_.write_waits.empty())
+            forget_write_waits();
+        return state_.write_waits;
     }
-    std::vector<typename ProcessState<Time>::Bubbles>& restored_bubbles() {
-        state_.bubbles.clear();
-        return state_.bubbles;
+    std::vector<typename ProcessState<Time>::WriteWait>& restored_write_waits() {
+        state_.write_waits.clear();
+        return state_.write_waits;
     }
     std::vector<Time>& restored_setups() {
         state_.setups_done.clear();
@@ -417,21 +417,21 @@ template <class Process, class Port> class ProcessRules {
         return true;
     }
 
-    /// A frozen pipeline keeps its iterations as many steps apart as they were begun: II, and the bubbles in between.
+    /// A frozen pipeline keeps its iterations as many steps apart as they were begun: II, and the waits in between.
     /// Nothing else decides how long one waits.
     void await_write(std::uint32_t dependence, std::uint64_t distance) {
         std::vector<Cycles> const& spans = shape_->loops[state_.loop].interlock_spans;
         if (dependence >= spans.size())
             return;
         Cycles steps = distance * plan_->ii;
-        for (auto const& bubbles : state_.bubbles)
-            if (is_within(bubbles.iteration, distance))
-                steps += bubbles.steps;
+        for (auto const& before : state_.write_waits)
+            if (is_within(before.iteration, distance))
+                steps += before.steps;
         if (steps >= spans[dependence])
             return;
         Cycles const wait = spans[dependence] - steps;
-        forget_bubbles();
-        state_.bubbles.push_back({static_cast<std::int64_t>(state_.iterations), wait});
+        forget_write_waits();
+        state_.write_waits.push_back({static_cast<std::int64_t>(state_.iterations), wait});
         mark_loop(Region::Part::interlock);
         self().awaited_write(wait);
         pass(wait);
@@ -442,12 +442,12 @@ template <class Process, class Port> class ProcessRules {
         return iteration + static_cast<std::int64_t>(distance) > static_cast<std::int64_t>(state_.iterations);
     }
     /// Those that are too many iterations ago for any span.
-    void forget_bubbles() {
+    void forget_write_waits() {
         std::vector<Cycles> const& spans = shape_->loops[state_.loop].interlock_spans;
         Cycles const longest_span = *std::max_element(spans.begin(), spans.end());
-        auto const is_old = [&](auto const& bubbles) { return !is_within(bubbles.iteration, longest_span); };
-        auto const old = std::remove_if(state_.bubbles.begin(), state_.bubbles.end(), is_old);
-        state_.bubbles.erase(old, state_.bubbles.end());
+        auto const is_old = [&](auto const& before) { return !is_within(before.iteration, longest_span); };
+        auto const old = std::remove_if(state_.write_waits.begin(), state_.write_waits.end(), is_old);
+        state_.write_waits.erase(old, state_.write_waits.end());
     }
 
     // The pipelined loop.
@@ -460,7 +460,7 @@ template <class Process, class Port> class ProcessRules {
     void enter(unsigned loop) {
         be_in_loop(loop + 1);
         state_.iterations = 0;
-        state_.bubbles.clear();
+        state_.write_waits.clear();
         ++run_;
         self().entered();
         if (plan_->fill > 0)

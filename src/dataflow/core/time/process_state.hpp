@@ -32,11 +32,11 @@ template <class Time> struct ProcessState {
     std::vector<Ports::Number> delay_line;  ///< ports of the last iterations of a loop that is not aligned, a ring
     std::vector<Time> setups_done;          ///< when those begun, and not awaited yet, will be
     /// Steps in which a loop has begun nothing, as an iteration waited for a write: before which. The latest ones.
-    struct Bubbles {
+    struct WriteWait {
         std::int64_t iteration = 0;  ///< negative: before those that the state counts
         Cycles steps = 0;
     };
-    std::vector<Bubbles> bubbles;
+    std::vector<WriteWait> write_waits;
     bool rests = false;             ///< at the end of a loop that may go on with the next call's iterations
     std::uint64_t stamps_held = 0;  ///< told at rest: what follows decides what they note
     FlushingPipeline<Time> flushing;

@@ -46,8 +46,8 @@ unsigned ProcessTiming::add_loop(LoopShape shape) {
 }
 
 void ProcessTiming::set_iterations(std::uint64_t iterations) {
-    for (auto& bubbles : state_.bubbles)
-        bubbles.iteration += static_cast<std::int64_t>(iterations - state_.iterations);
+    for (auto& wait : state_.write_waits)
+        wait.iteration += static_cast<std::int64_t>(iterations - state_.iterations);
     state_.iterations = iterations;
 }
 

@@ -61,6 +61,9 @@ class FifoChannel : public sc_core::sc_prim_channel {
         }
     }
 
+    /// Its writer, or its reader, is done with a call.
+    virtual void end_call(bool /*of_writer*/) {}
+
     /// Of what asks for more than whether there is a token, or room for one.
     [[noreturn]] void refuse(char const* call) const {
         throw InputError(std::string(name()) + ": " + call +

@@ -67,6 +67,12 @@ void ProcessClock::begin_call() {
     hand_over(FifoEnd::When::call_begins);
 }
 
+void ProcessClock::end_call() {
+    for (unsigned port = 0; port < fifos_.size(); ++port)
+        fifos_[port]->end_call(timing_.writes(port));
+    hand_over(FifoEnd::When::call_ends);
+}
+
 void ProcessClock::hand_over(FifoEnd::When when) {
     if (timing::Ports const ports = hand_overs_[when]; !ports.is_empty())
         step(ports);

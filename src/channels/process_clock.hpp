@@ -68,7 +68,7 @@ class ProcessClock {
     /// The call of all modules that it is part of begins, then its own, and that ends: SampleModule says so.
     void begin_region() { hand_over(FifoEnd::When::region_begins); }
     void begin_call();
-    void end_call() { hand_over(FifoEnd::When::call_ends); }
+    void end_call();
     /// No call follows.
     void end_calls();
 
@@ -311,8 +311,9 @@ class ProcessClock {
     /// time before. It must use memory.
     void tell_entry(timing::MemoryEntry entry);
     /// Tokens of so many bytes, one behind the other from an address on, of the sample that has begun: what the next
-    /// loop or steps take from memory by access_memory(), or give it. Nothing if the memory is ideal. A SampleModule
-    /// takes, or gives, what it has told of, all of it. Errors: InputError as access_memory().
+    /// loop or steps take from memory by access_memory(), or give it; of a loop, the ranges of all calls before it is
+    /// entered. Nothing if the memory is ideal. A SampleModule takes, or gives, what it has told of, all of it. Errors:
+    /// InputError as access_memory().
     struct Range {
         std::uint64_t address = 0;
         std::uint64_t tokens = 1;
@@ -537,6 +538,7 @@ class ProcessClock {
     std::uint64_t tokens_told_ = 0, tokens_accessed_ = 0;  // of memory, by access_memory()
     std::uint64_t tokens_at_hand_ = 0;                     // told, of entries that it has come to
     std::deque<std::uint64_t> entries_told_;               // tokens of the others, if a loop takes them
+    std::vector<timing::MemoryBlock> blocks_told_;         // of the loop that is entered next and takes them
     bool tells_ranges_ = false;
 };
 

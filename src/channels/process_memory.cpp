@@ -40,7 +40,7 @@ void ProcessClock::tell_ranges(std::vector<Range> const& ranges) {
         return;
     std::uint64_t const sample = dataflow_core_.begun(timing_.index()) - 1;
     bool const is_taken_by_steps = stream_->loop.empty() && !stream_->writes;
-    timing::MemoryEntry entry{sample, {}};
+    std::vector<timing::MemoryBlock> blocks;
     for (Range const& range : ranges) {
         if (range.tokens == 0 || range.token_bytes == 0 || range.tokens > most_bytes / range.token_bytes ||
             range.address > most_bytes - range.tokens * range.token_bytes)
@@ -48,13 +48,15 @@ void ProcessClock::tell_ranges(std::vector<Range> const& ranges) {
                              std::to_string(range.token_bytes) + " bytes at the address " +
                              std::to_string(range.address) + ", expected at least one of each, below " +
                              std::to_string(most_bytes));
-        entry.blocks.push_back({range.address, range.tokens * range.token_bytes, 0, range.token_bytes, range.tokens});
+        blocks.push_back({range.address, range.tokens * range.token_bytes, 0, range.token_bytes, range.tokens});
         for (std::uint64_t i = 0; is_taken_by_steps && i < range.tokens; ++i)
             tell_entry({sample, {{range.address + i * range.token_bytes, range.token_bytes, 0, range.token_bytes}}});
     }
     tells_ranges_ = true;
-    if (!is_taken_by_steps)
-        tell_entry(std::move(entry));
+    if (is_taken_by_loop())
+        blocks_told_.insert(blocks_told_.end(), blocks.begin(), blocks.end());
+    else if (!is_taken_by_steps)
+        tell_entry({sample, std::move(blocks)});
 }
 
 void ProcessClock::access_memory() {
@@ -94,14 +96,15 @@ void ProcessClock::enter_memory(unsigned loop) {
     if (!is_taken_by_loop() || !timing_.loops()[loop].uses_stream)
         return;
     if (entries_told_.empty())
-        tell_entry({dataflow_core_.begun(timing_.index()) - 1, {}});
+        tell_entry({dataflow_core_.begun(timing_.index()) - 1, std::exchange(blocks_told_, {})});
     tokens_at_hand_ += entries_told_.front();
     entries_told_.pop_front();
 }
 
 void ProcessClock::end_calls() {
-    if (tells_ranges_ && tokens_accessed_ != tokens_told_)
-        throw InputError("module " + timing_.name() + " has told of " + std::to_string(tokens_told_) +
+    std::uint64_t const told = tokens_told_ + timing::MemoryEntry{0, blocks_told_}.all_tokens();
+    if (tells_ranges_ && tokens_accessed_ != told)
+        throw InputError("module " + timing_.name() + " has told of " + std::to_string(told) +
                          " tokens of the memory for " + stream_->name + ", and accesses " +
                          std::to_string(tokens_accessed_) + ", expected all of them");
     timing_.tell_end(*log_);

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "faster/workload/workload_source.hpp"
 #include "modules/core/faster_simulation.hpp"
 #include "modules/core/workload_iterations.hpp"
+#include "modules/rasterizer/scan_burst.hpp"
 #include "tb/commands.hpp"
 #include "tb/cosim/comparison.hpp"
 
@@ -47,9 +49,21 @@ LoadedConfig config_of(CosimRequest const& request, std::vector<std::string> con
     return layered_config(files, overrides);
 }
 
+/// What the twin's tokens cannot say.
+void require_near_windows(Stimulus const& stimulus, std::string const& trace) {
+    for (std::size_t i = 0; i < stimulus.samples.size(); ++i)
+        for (std::int32_t const centre : {stimulus.samples[i].centre_row, stimulus.samples[i].centre_col})
+            if (std::abs(stimulus.window_offset(centre)) > WindowPlace::furthest)
+                throw InputError(
+                    fmt::format("{}/samples.csv: sample {} has its centre at {} px, expected its window to begin "
+                                "within {} px of the image for a comparison with the twin",
+                                trace, i, centre, WindowPlace::furthest));
+}
+
 rtl::TwinSettings settings_of(CosimRequest const& request) {
     LoadedConfig loaded = config_of(request, request.twin_overrides);
     Stimulus const stimulus = load_stimulus(loaded);
+    require_near_windows(stimulus, request.trace);
     rtl::TwinSettings settings =
         rtl::twin_settings(accelerator_of(loaded.config), machine_of(loaded.config), stimulus.width, stimulus.height);
     settings.forwards = request.forwards;

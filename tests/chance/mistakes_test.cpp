@@ -393,6 +393,30 @@ Pair pair_at_memory(std::uint64_t told, std::uint64_t taken) {
     return pair;
 }
 
+TEST_CASE("ranges that a module tells of before a loop are one entry, in however many calls") {
+    MachineSettings settings;
+    settings.external_memory.model = MemoryModel::axi;
+    using Ranges = std::vector<ProcessClock::Range>;
+    auto const total = [&](std::vector<Ranges> const& told, Engine engine) {
+        Pair pair = pair_at_memory(5, 5);
+        pair.reads = [told](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+            for (Ranges const& ranges : told)
+                clock.tell_ranges(ranges);
+            clock.pipeline("receive", 10, [&](std::uint64_t i) {
+                fifo.read();
+                if (i < 5)
+                    clock.access_memory();
+            });
+        };
+        return outcome_of(pair, engine, settings);
+    };
+    for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
+        std::string const at_once = total({{{64, 2, 4}, {4096, 3, 4}}}, engine);
+        CHECK(at_once.find_first_not_of("0123456789") == std::string::npos);
+        CHECK(total({{{64, 2, 4}}, {{4096, 3, 4}}}, engine) == at_once);
+    }
+}
+
 TEST_CASE("a module takes from memory what it has told of, where its description says so") {
     MachineSettings settings;
     settings.external_memory.model = MemoryModel::axi;

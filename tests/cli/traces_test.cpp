@@ -91,6 +91,29 @@ TEST_CASE("Every stored trace gives its expected tables with the lockstep engine
     check_expected_tables("lockstep");
 }
 
+/// In a window whose centre is in that column, with five lanes.
+std::string samples_with_lanes(TempFolder const& folder, std::string const& col) {
+    fs::remove_all(folder / "trace");
+    fs::copy(traces / "one_triangle", folder / "trace", fs::copy_options::recursive);
+    folder.write("empty.yaml", "");
+    folder.write("trace/samples.csv",
+                 "sample,centre_row,centre_col,first_triangle,triangle_count\n0,24," + col + ",0,1\n");
+    require_done_with_warnings(
+        run_command(FASTER_SIM_BINARY,
+                    {"run", "empty.yaml", "--trace", "trace", "--set", "accelerator.architecture=next", "--out", "out"},
+                    folder.path()));
+    return content_of(folder / "out" / "samples.csv");
+}
+
+TEST_CASE("However far a window is from the image, its columns keep their lanes") {
+    TempFolder const folder;
+    for (int const lane : {0, 1, 2, 3, 4}) {
+        std::string const near = samples_with_lanes(folder, std::to_string(100 + lane));
+        for (int const far : {10000, 1000000000, -10000, -1000000000})
+            CHECK(samples_with_lanes(folder, std::to_string(far + lane)) == near);
+    }
+}
+
 TEST_CASE("The trace without triangles takes the cycles of the closed form on one core") {
     constexpr std::uint64_t pixels = 32 * 32;
     constexpr std::uint64_t samples = 4;

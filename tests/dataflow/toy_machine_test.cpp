@@ -298,7 +298,8 @@ TEST_CASE("What contradicts itself in any machine is refused", "[config][errors]
           }) == "--set accelerator.fifos.answer.depth=3: expected a key of the parts that toy.answers = false has");
     CHECK(set_error("accelerator.loops.worker.look_up.table.hazards=interlock") ==
           "--set accelerator.loops.worker.look_up.table.hazards=interlock: expected report or forward: the loop writes "
-          "FIFOs, reads one in a later stage than its first, or without waiting");
+          "FIFOs, reads one in a later stage than its first, or without waiting, or gives to the memory behind what it "
+          "reads");
     for (bool const polls : {false, true}) {
         std::vector<std::string> const settings{"toy.answers=false", polls ? "toy.polls=true" : "toy.polls=false",
                                                 "accelerator.loops.worker.look_up.table.hazards=interlock"};

@@ -362,6 +362,18 @@ TEST_CASE("The command says where model and twin differ first, and with which va
     auto const half = cosim({"--set", "accelerator.rasterizer.scan=spans"});
     CHECK(half.exit_code == 2);
     CHECK(half.err.find("accelerator.edge_map.algorithm: expected inner_border") != std::string::npos);
+    std::filesystem::copy(source + "/traces/one_triangle", folder / "far", std::filesystem::copy_options::recursive);
+    auto const with_centre = [&folder](std::string const& col) {
+        folder.write("far/samples.csv",
+                     "sample,centre_row,centre_col,first_triangle,triangle_count\n0,24," + col + ",0,1\n");
+        return test::run_command(FASTER_SIM_BINARY, {"cosim", "far", "--set", "accelerator.raster_cores=1"},
+                                 folder.path());
+    };
+    CHECK(with_centre("28000").exit_code == 0);
+    CHECK(with_centre("-27000").exit_code == 0);
+    CHECK(with_centre("65560").exit_code == 2);
+    CHECK(with_centre("65560").err.find("far/samples.csv: sample 0 has its centre at 65560 px, expected") !=
+          std::string::npos);
 }
 
 TEST_CASE("Model and twin do the same in the same cycles: seeds 1 to 60", "[rtl]") { check_seeds(random_trial, 1, 60); }

@@ -14,8 +14,7 @@ ContourDepth contour_depth(EdgeMapAlgorithm algorithm) {
     return contour_is_on_object(algorithm) ? ContourDepth::own : ContourDepth::neighbour;
 }
 
-/// Token coordinates have 16 bits. No image is wider than 4096 pixels, so a window further off covers none of it either
-/// way.
+/// No image is wider than 4096 pixels, so a window further off covers none of it either way.
 std::int64_t clamped_offset(std::int64_t offset) { return std::clamp<std::int64_t>(offset, -8192, 8192); }
 
 }  // namespace

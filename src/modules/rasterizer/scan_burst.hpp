@@ -11,22 +11,27 @@
 
 namespace faster {
 
-/// Where a sample's window lies in the image. Kept within the 16 bits of token coordinates: no image is wider than 4096
-/// pixels, so a window further off covers none of it either way.
+/// Where a sample's window lies in the image. Token coordinates have 16 bits, so one that begins further off than
+/// `furthest` lies about there instead, with the same columns for each lane: it covers no pixel either way.
 struct WindowPlace {
+    static constexpr std::int64_t furthest = 28000;  ///< px, in an image of 4096 px at most
+
     int row = 0;
     int col = 0;
 
     static WindowPlace of(CoreContext const& core, SampleHeader const& header) {
-        return {clamped(core.stimulus.window_offset(header.centre_row)),
-                clamped(core.stimulus.window_offset(header.centre_col))};
+        return {nearer(core.stimulus.window_offset(header.centre_row), 1),
+                nearer(core.stimulus.window_offset(header.centre_col), core.config.rasterizer.lanes)};
     }
     EdgeToken token(int image_row, int image_col, EdgeTokenKind kind) const {
         return {static_cast<std::int16_t>(image_row - row), static_cast<std::int16_t>(image_col - col), kind};
     }
 
   private:
-    static int clamped(std::int64_t offset) { return static_cast<int>(std::clamp<std::int64_t>(offset, -8192, 8192)); }
+    static int nearer(std::int64_t offset, int lanes) {
+        std::int64_t const beyond = offset - std::clamp(offset, -furthest, furthest);
+        return static_cast<int>(offset - beyond + beyond % lanes);
+    }
 };
 
 /// The tokens of a triangle's scan, written straight into the channels. Without a channel of edge tokens (flow

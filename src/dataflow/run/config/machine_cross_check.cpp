@@ -78,13 +78,23 @@ void check_dependence(LoadedConfig const& loaded, std::string const& loop, std::
                                                    with_value(loaded, is_asked_for(read_key) ? write_key : read_key))));
 }
 
-/// Iterations that wait let those before them go on, whose later accesses to FIFOs would no longer be II apart. How
-/// long one waits that makes an attempt may depend on what that finds, and so on the cycle of it.
+/// In its last stage.
+bool gives_to_memory(Machine const& machine, MachineLoop const& loop) {
+    return std::any_of(machine.streams.begin(), machine.streams.end(), [&loop](MachineStream const& stream) {
+        return stream.is_present && stream.writes && stream.process == loop.process && stream.loop == loop.name;
+    });
+}
+
+/// Iterations that wait let those before them go on, whose later accesses would no longer be II apart. How long one
+/// waits that makes an attempt may depend on what that finds, and so on the cycle of it.
 void check_interlocks(LoadedConfig const& loaded, Machine const& machine, MachineLoop const& loop,
                       std::vector<std::string>& complaints) {
     auto const is_there = [&machine](std::size_t fifo) { return machine.fifos[fifo].is_present; };
     auto const reads_late = [&](std::size_t fifo) { return is_there(fifo) && machine.fifos[fifo].read_stage > 0; };
-    bool const can_wait = !loop.makes_attempts && std::none_of(loop.writes.begin(), loop.writes.end(), is_there) &&
+    bool const gives_late =
+        gives_to_memory(machine, loop) && loop.depth > 1 && std::any_of(loop.reads.begin(), loop.reads.end(), is_there);
+    bool const can_wait = !loop.makes_attempts && !gives_late &&
+                          std::none_of(loop.writes.begin(), loop.writes.end(), is_there) &&
                           std::none_of(loop.reads.begin(), loop.reads.end(), reads_late);
     for (MachineDependence const& dependence : loop.dependences) {
         if (!dependence.interlocks())
@@ -93,9 +103,10 @@ void check_interlocks(LoadedConfig const& loaded, Machine const& machine, Machin
             return dependence_key_name(loop.timed_by, machine.memories[dependence.memory].name, field);
         };
         if (!can_wait)
-            complaints.push_back(complaint(loaded, key("hazards"),
-                                           "report or forward: the loop writes FIFOs, reads one in a later stage than "
-                                           "its first, or without waiting"));
+            complaints.push_back(
+                complaint(loaded, key("hazards"),
+                          "report or forward: the loop writes FIFOs, reads one in a later stage than "
+                          "its first, or without waiting, or gives to the memory behind what it reads"));
         else if (dependence.longest_span > longest_interlock)
             complaints.push_back(complaint(loaded, key("write_stage"),
                                            fmt::format("at most {} behind {}, with hazards interlock",

@@ -530,6 +530,8 @@ TEST_CASE("A waveform of what comes after the run is empty, and that is said", "
     CommandResult const result = waves.run("one_triangle", {"--vcd", "a.vcd", "--vcd-from", "999999"});
     CHECK(result.exit_code == 0);
     CHECK_THAT(result.err, Catch::Contains("warning: --vcd-from 999999: the run ends before"));
+    check_bad_input(waves.run("one_triangle", {"--vcd", "a.vcd", "--vcd-from", "1e3"}),
+                    {"--vcd-from: 1e3, expected a cycle, 0 or more"});
 }
 
 TEST_CASE("Waveform options that make no sense are refused", "[vcd]") {

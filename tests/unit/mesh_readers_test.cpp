@@ -226,6 +226,9 @@ TEST_CASE("A PLY header that makes no sense is refused at its line", "[mesh_read
                Contains("a.ply:7: element vertex has not one property"));
     CHECK_THAT(with("vertex_index", "corners"), Contains("a.ply:12: element face has no list vertex_indices"));
     CHECK_THAT(with("format ascii 1.0\n", ""), Contains("a.ply: has no line format in its header"));
+    CHECK_THAT(with("format ascii 1.0", "format ascii 2.0"), Contains("a.ply:2: format of version 2.0, expected 1.0"));
+    CHECK_THAT(with("format ascii 1.0\n", "format ascii 1.0\nformat ascii 1.0\n"),
+               Contains("a.ply:3: a second line format, expected one"));
     CHECK_THAT(with("3.000000 0.000000 2", "3.5 0.000000 2"), Contains("length 3.5, expected a count"));
     CHECK_THAT(with("vertex_index\n", "vertex_index\nproperty list uchar int vertex_indices\n"),
                Contains("a.ply:12: element face has the lists vertex_index and vertex_indices, expected one of them"));

@@ -244,8 +244,11 @@ void add_recording_options(CLI::App& command, RecordingRequest& request) {
             ->delimiter(','),
         "GLOB,...");
     for_vcd(command.add_option("--vcd-samples", request.vcd_samples, "Only these samples, e.g. 5 or 5-7"), "RANGE");
-    auto const is_cycle = [](std::string const& text) {  // it would become a number near 2^64
-        return text.rfind('-', 0) == 0 ? text + ", expected a cycle, 0 or more" : std::string();
+    auto const is_cycle = [](std::string const& text) {  // below 0 it would become a number near 2^64
+        Cycles cycle = 0;
+        auto const parsed = std::from_chars(text.data(), text.data() + text.size(), cycle);
+        bool const is_whole = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
+        return is_whole ? std::string() : text + ", expected a cycle, 0 or more";
     };
     for_vcd(command.add_option("--vcd-from", request.vcd_from, "First cycle")->check(is_cycle), "CYCLE");
     for_vcd(command.add_option("--vcd-to", request.vcd_to, "Last cycle")->check(is_cycle), "CYCLE");

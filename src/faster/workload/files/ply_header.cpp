@@ -91,6 +91,8 @@ class HeaderReader {
     }
 
     void read_format(MeshText& words) {
+        if (has_format_)
+            words.fail("a second line format, expected one");
         std::string_view const name = words.word();
         if (name == "ascii")
             header_.format = PlyFormat::text;
@@ -101,6 +103,8 @@ class HeaderReader {
         else
             words.fail(
                 fmt::format("format {}, expected ascii, binary_little_endian or binary_big_endian", shortened(name)));
+        if (std::string_view const version = words.word(); !version.empty() && version != "1.0")
+            words.fail(fmt::format("format of version {}, expected 1.0", shortened(version)));
         has_format_ = true;
     }
 

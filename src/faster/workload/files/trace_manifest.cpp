@@ -54,7 +54,7 @@ class Section {
     YAML::Node at(std::string const& key) const {
         YAML::Node const value = std::as_const(node_)[key];
         if (!value) {
-            fail(node_.Mark(), fmt::format("no key {}{}", prefix_, key));
+            fail(node_.Mark(), fmt::format("no key {}{}, expected one", prefix_, key));
         }
         return value;
     }

@@ -132,8 +132,7 @@ std::vector<timing::MemorySystem::MasterShape> masters_of(Machine const& machine
     std::vector<timing::MemorySystem::MasterShape> masters;
     for (std::size_t const i : streams_of(machine)) {
         MachineStream const& stream = machine.streams[i];
-        masters.push_back({static_cast<unsigned>(stream.process), static_cast<unsigned>(masters.size()),
-                           stream.prefetch, stream.is_header});
+        masters.push_back({static_cast<unsigned>(stream.process), stream.prefetch, stream.is_header});
     }
     return masters;
 }

@@ -37,10 +37,6 @@ struct MasterFigures {
     LatencyCounts latencies;  ///< from asking to the last beat
 };
 
-struct PortFigures {
-    std::uint64_t beats = 0;  ///< that it brought to the cores
-};
-
 /// How the controller was doing over time: stretches of equal length, which doubles whenever there are too many.
 class ControllerHistory {
   public:

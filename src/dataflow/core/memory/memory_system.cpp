@@ -12,7 +12,7 @@ MemorySystem::MemorySystem(ExternalMemory const& shape, std::vector<MasterShape>
       shapes_(std::move(masters)),
       controllers_free_ps_(1),
       ports_free_(shape.ports),
-      port_figures_(shape.ports) {}
+      port_beats_(shape.ports) {}
 
 void MemorySystem::add_core(CoreTiming& core, bool has_work, Resume resume) {
     if (resume == nullptr)
@@ -22,11 +22,11 @@ void MemorySystem::add_core(CoreTiming& core, bool has_work, Resume resume) {
         working_.push_back(&core);
     MemoryMaster::HandedOut& handed_out = handed_out_.emplace_back();
     std::size_t const number = cores_.size() - 1;
-    for (MasterShape const& master : shapes_)
-        masters_.push_back({MemoryMaster(shape_, core.stream(master.stream), master.prefetch, handed_out),
-                            {number, master.process},
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+        masters_.push_back({MemoryMaster(shape_, core.stream(i), shapes_[i].prefetch, handed_out),
+                            {number, shapes_[i].process},
                             number % shape_.ports,
-                            master.hands_out ? &handed_out : nullptr});
+                            shapes_[i].hands_out ? &handed_out : nullptr});
     if (!shape_.is_shared) {
         controllers_free_ps_.resize(masters_.size());
         ports_free_.resize(masters_.size());
@@ -82,7 +82,7 @@ MemorySystem::Served MemorySystem::serve() {
         Cycles& port_free = ports_free_[shape_.is_shared ? joint.port : number];
         cycle = std::max(cycle, port_free);
         port_free = cycle + burst.beats;
-        port_figures_[joint.port].beats += burst.beats;
+        port_beats_[joint.port] += burst.beats;
     }
     if (served_call_)
         served_call_({ask, ask + shape_.request_cycles, begin, controller_free_ps, cycle, burst.beats, joint.port,

@@ -21,10 +21,9 @@ class CoreTiming;
 /// before it.
 class MemorySystem {
   public:
-    /// What a stream of a core is to the memory. Masters stand in the order that settles ties.
+    /// What a stream of a core is to the memory, which has one for each. Masters stand in the order that settles ties.
     struct MasterShape {
         unsigned process = 0;
-        unsigned stream = 0;  ///< number of the core's stream
         Prefetch prefetch = Prefetch::none;
         bool hands_out = false;  ///< headers, which tell others what to prefetch
     };
@@ -71,7 +70,8 @@ class MemorySystem {
         return masters_[core * shapes_.size() + master].master.figures();
     }
     std::vector<MasterShape> const& masters() const { return shapes_; }
-    std::vector<PortFigures> const& ports() const { return port_figures_; }
+    /// Beats that each port has brought to the cores.
+    std::vector<std::uint64_t> const& port_beats() const { return port_beats_; }
     ControllerFigures const& controller() const { return controller_; }
 
   private:
@@ -118,7 +118,7 @@ class MemorySystem {
     Requests requests_;
     std::vector<Picoseconds> controllers_free_ps_;  // one, or one of each master
     std::vector<Cycles> ports_free_;                // of all, or one of each master
-    std::vector<PortFigures> port_figures_;
+    std::vector<std::uint64_t> port_beats_;
     ControllerFigures controller_;
     std::function<void(ServedBurst const&)> served_call_;
     std::deque<Picoseconds> begins_ps_;  // of bursts that begin later than they arrive

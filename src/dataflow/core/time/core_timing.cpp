@@ -39,7 +39,7 @@ void CoreTiming::connect() {
             if (process.fifo(port).is_stream())
                 continue;
             int const other = other_end(process, port);
-            process.set_neighbour(port, other < 0 ? 0 : bit_of(static_cast<std::size_t>(other)));
+            process.set_neighbour(port, other < 0 ? 0 : bit_of(other));
         }
     find_patient();
     note_connected();
@@ -88,10 +88,8 @@ void CoreTiming::find_patient() {
     for (std::size_t i = 0; i < fifos_.size(); ++i) {
         if (fifos_[i].shape().capacity >= deep || ends_[i].writer < 0 || ends_[i].reader < 0)
             continue;
-        auto const writer = static_cast<std::size_t>(ends_[i].writer);
-        auto const reader = static_cast<std::size_t>(ends_[i].reader);
-        patient_[writer] &= ~bit_of(reader);
-        patient_[reader] &= ~bit_of(writer);
+        patient_[static_cast<std::size_t>(ends_[i].writer)] &= ~bit_of(ends_[i].reader);
+        patient_[static_cast<std::size_t>(ends_[i].reader)] &= ~bit_of(ends_[i].writer);
     }
 }
 
@@ -191,6 +189,7 @@ std::vector<BlockedProcess> CoreTiming::blocked() {
         bool const starving = status == ProcessTiming::Status::exhausted && process.starving_port() >= 0;
         if (status != ProcessTiming::Status::blocked && !starving && !process.waits_for_room())
             continue;
+        process.take_back_write_waits();
         unsigned const port = process.waits_for_room() ? process.flushing_port()
                               : starving               ? process.starved_port()
                                                        : process.missing_port();

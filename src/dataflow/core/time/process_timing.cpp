@@ -51,6 +51,14 @@ void ProcessTiming::set_iterations(std::uint64_t iterations) {
     state_.iterations = iterations;
 }
 
+void ProcessTiming::take_back_write_waits() {
+    std::vector<ProcessState<Cycles>::WriteWait>& waits = state_.write_waits;
+    for (; !waits.empty() && waits.back().iteration == static_cast<std::int64_t>(state_.iterations); waits.pop_back()) {
+        state_.time -= waits.back().steps;
+        figures_.loops[state_.loop].interlock_cycles -= waits.back().steps;
+    }
+}
+
 void ProcessTiming::set_neighbour(unsigned port, ProcessMask process_bit) {
     ports_[port].neighbour = process_bit;
     forget_port_sets();

@@ -189,6 +189,8 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     bool waits_for_room() const { return state_.flushing.is_waiting(); }
     /// Lets tokens out of the flushing pipeline for which there is room now.
     void let_out() { Rules::let_out(); }
+    /// The process is stuck: what the iteration that will not begin has waited for writes does not count.
+    void take_back_write_waits();
     /// When the process reached the step it is at: its local time, but for the waiting it has been charged with since.
     Cycles waiting_since() const { return state_.time == charged_until_ ? arrival_ : state_.time; }
     std::vector<Cycles> const& stamps() const { return figures_.stamps; }

@@ -10,7 +10,7 @@ namespace dataflow::timing {
 
 constexpr std::size_t most_processes = 64;  ///< of a core
 using ProcessMask = std::uint64_t;          ///< a bit each
-constexpr ProcessMask bit_of(std::size_t process) { return ProcessMask{1} << process; }
+template <class Number> constexpr ProcessMask bit_of(Number process) { return ProcessMask{1} << process; }
 
 /// One thing that a path through a core's time may turn at. Cycles are relative to whatever holds the event.
 struct TrailEvent {

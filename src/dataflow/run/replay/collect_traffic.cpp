@@ -36,8 +36,7 @@ MemoryTraffic collect_traffic(timing::MemorySystem const& memory, Machine const&
     traffic.stretch_cycles = history.stretch_cycles();
     for (timing::ControllerHistory::Stretch const& stretch : history.stretches())
         traffic.stretches.push_back({stretch.beats * shape.port_bytes, stretch.largest_queue});
-    for (timing::PortFigures const& port : memory.ports())
-        traffic.port_beats.push_back(port.beats);
+    traffic.port_beats = memory.port_beats();
     for (std::size_t core = 0; core < cores; ++core)
         for (std::size_t master = 0; master < streams.size(); ++master) {
             timing::MasterFigures const& figures = memory.figures(core, master);

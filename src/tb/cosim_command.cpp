@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +18,6 @@
 #include "faster/workload/workload_source.hpp"
 #include "modules/core/faster_simulation.hpp"
 #include "modules/core/workload_iterations.hpp"
-#include "modules/rasterizer/scan_burst.hpp"
 #include "tb/commands.hpp"
 #include "tb/cosim/comparison.hpp"
 
@@ -53,11 +51,11 @@ LoadedConfig config_of(CosimRequest const& request, std::vector<std::string> con
 void require_near_windows(Stimulus const& stimulus, std::string const& trace) {
     for (std::size_t i = 0; i < stimulus.samples.size(); ++i)
         for (std::int32_t const centre : {stimulus.samples[i].centre_row, stimulus.samples[i].centre_col})
-            if (std::abs(stimulus.window_offset(centre)) > WindowPlace::furthest)
+            if (stimulus.near_window_offset(centre) != stimulus.window_offset(centre))
                 throw InputError(
                     fmt::format("{}/samples.csv: sample {} has its centre at {} px, expected its window to begin "
                                 "within {} px of the image for a comparison with the twin",
-                                trace, i, centre, WindowPlace::furthest));
+                                trace, i, centre, Stimulus::furthest_window));
 }
 
 rtl::TwinSettings settings_of(CosimRequest const& request) {

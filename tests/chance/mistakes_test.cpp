@@ -378,12 +378,16 @@ TEST_CASE("tokens that nobody reads are counted") {
     check_both(pair, "13f of core 0 (1)");
 }
 
+/// Each of them told by a call.
+using Told = std::vector<std::vector<ProcessClock::Range>>;
+
 /// The reader takes a token of memory in each of five iterations, as far as it tells of it and does so.
-Pair pair_at_memory(std::uint64_t told, std::uint64_t taken) {
+Pair pair_at_memory(Told const& told, std::uint64_t taken) {
     Pair pair = sound_pair();
     pair.reader.fetches("input").taken_by("receive");
     pair.reads = [=](ProcessClock& clock, ClockedFifo<Token>& fifo) {
-        clock.tell_ranges({{64, told, 4}});
+        for (std::vector<ProcessClock::Range> const& ranges : told)
+            clock.tell_ranges(ranges);
         clock.pipeline("receive", 10, [&](std::uint64_t i) {
             fifo.read();
             if (i < taken)
@@ -392,23 +396,13 @@ Pair pair_at_memory(std::uint64_t told, std::uint64_t taken) {
     };
     return pair;
 }
+Pair pair_at_memory(std::uint64_t told, std::uint64_t taken) { return pair_at_memory(Told{{{64, told, 4}}}, taken); }
 
 TEST_CASE("ranges that a module tells of before a loop are one entry, in however many calls") {
     MachineSettings settings;
     settings.external_memory.model = MemoryModel::axi;
-    using Ranges = std::vector<ProcessClock::Range>;
-    auto const total = [&](std::vector<Ranges> const& told, Engine engine) {
-        Pair pair = pair_at_memory(5, 5);
-        pair.reads = [told](ProcessClock& clock, ClockedFifo<Token>& fifo) {
-            for (Ranges const& ranges : told)
-                clock.tell_ranges(ranges);
-            clock.pipeline("receive", 10, [&](std::uint64_t i) {
-                fifo.read();
-                if (i < 5)
-                    clock.access_memory();
-            });
-        };
-        return outcome_of(pair, engine, settings);
+    auto const total = [&](Told const& told, Engine engine) {
+        return outcome_of(pair_at_memory(told, 5), engine, settings);
     };
     for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
         std::string const at_once = total({{{64, 2, 4}, {4096, 3, 4}}}, engine);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -42,6 +43,14 @@ struct Stimulus {
     bool is_posed() const { return !posed.poses.empty(); }
     /// Where the window of a sample begins whose centre is in this row, or column (docs/function.md#samples-and-cores).
     std::int64_t window_offset(std::int32_t centre) const { return std::int64_t{centre} - window / 2; }
+    static constexpr std::int64_t furthest_window = 28000;  ///< px, with an image of 4096 px at most
+    /// Token coordinates have 16 bits, so a window that begins further off than that lies about there instead, with the
+    /// same columns for each lane: it covers no pixel either way.
+    int near_window_offset(std::int32_t centre, int lanes = 1) const {
+        std::int64_t const offset = window_offset(centre);
+        std::int64_t const beyond = offset - std::clamp(offset, -furthest_window, furthest_window);
+        return static_cast<int>(offset - beyond + beyond % lanes);
+    }
 };
 
 /// What one sample leaves behind, for comparing model and reference: W x W pictures of its window.

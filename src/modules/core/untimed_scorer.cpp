@@ -14,9 +14,6 @@ ContourDepth contour_depth(EdgeMapAlgorithm algorithm) {
     return contour_is_on_object(algorithm) ? ContourDepth::own : ContourDepth::neighbour;
 }
 
-/// No image is wider than 4096 pixels, so a window further off covers none of it either way.
-std::int64_t clamped_offset(std::int64_t offset) { return std::clamp<std::int64_t>(offset, -8192, 8192); }
-
 }  // namespace
 
 UntimedScorer::UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge_map, HiddenPixels hidden)
@@ -36,8 +33,8 @@ UntimedScorer::UntimedScorer(Stimulus const& stimulus, EdgeMapConfig const& edge
 }
 
 SampleCounters UntimedScorer::score(Pose const& pose, SampleInput const& input) {
-    window_.row = clamped_offset(stimulus_.window_offset(input.centre_row));
-    window_.col = clamped_offset(stimulus_.window_offset(input.centre_col));
+    window_.row = stimulus_.near_window_offset(input.centre_row);
+    window_.col = stimulus_.near_window_offset(input.centre_col);
     maps_->clear();
     clear_drawn_rows();
     has_token_ = false;

@@ -11,26 +11,17 @@
 
 namespace faster {
 
-/// Where a sample's window lies in the image. Token coordinates have 16 bits, so one that begins further off than
-/// `furthest` lies about there instead, with the same columns for each lane: it covers no pixel either way.
+/// Where a sample's window lies in the image, or near enough for its tokens.
 struct WindowPlace {
-    static constexpr std::int64_t furthest = 28000;  ///< px, in an image of 4096 px at most
-
     int row = 0;
     int col = 0;
 
     static WindowPlace of(CoreContext const& core, SampleHeader const& header) {
-        return {nearer(core.stimulus.window_offset(header.centre_row), 1),
-                nearer(core.stimulus.window_offset(header.centre_col), core.config.rasterizer.lanes)};
+        return {core.stimulus.near_window_offset(header.centre_row),
+                core.stimulus.near_window_offset(header.centre_col, core.config.rasterizer.lanes)};
     }
     EdgeToken token(int image_row, int image_col, EdgeTokenKind kind) const {
         return {static_cast<std::int16_t>(image_row - row), static_cast<std::int16_t>(image_col - col), kind};
-    }
-
-  private:
-    static int nearer(std::int64_t offset, int lanes) {
-        std::int64_t const beyond = offset - std::clamp(offset, -furthest, furthest);
-        return static_cast<int>(offset - beyond + beyond % lanes);
     }
 };
 

@@ -92,7 +92,8 @@ class CoreTiming {
         return process.writes(port) ? ends.reader : ends.writer;
     }
 
-    /// The processes with operations left, in order; call after resolve(). Empty unless the core is stuck.
+    /// The processes with operations left, in order; call after resolve(), at the end: what their next iterations have
+    /// waited for writes is taken back. Empty unless the core is stuck.
     std::vector<BlockedProcess> blocked();
 
   protected:

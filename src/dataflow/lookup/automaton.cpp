@@ -163,7 +163,7 @@ Automaton::Progress Automaton::follow(Group const& group, Session& session) {
     for (; reading == Phrase::Reading::complete && phrase_.due_of_supplier(group) <= supplies;
          reading = read(group, session.frozen)) {
         Print const print = phrase_.print(session.state + std::uint64_t{1});
-        Slot const* slot = session.state == none ? nullptr : table_.find(print);
+        Slot const* slot = session.state == none ? nullptr : find(print);
         if (slot == nullptr)
             slot = work_out(print, group);
         if (slot == nullptr)

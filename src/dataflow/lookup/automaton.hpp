@@ -11,8 +11,9 @@
 #include "dataflow/lookup/state_table.hpp"
 #include "dataflow/lookup/transition.hpp"
 #include "dataflow/lookup/transition_bench.hpp"
+#include "dataflow/lookup/transition_slot.hpp"
 #include "dataflow/lookup/transition_store.hpp"
-#include "dataflow/lookup/transition_table.hpp"
+#include "dataflow/phrases/hash_table.hpp"
 #include "dataflow/phrases/phrase.hpp"
 #include "dataflow/phrases/phrase_book.hpp"
 #include "dataflow/phrases/phrase_core.hpp"
@@ -85,12 +86,12 @@ class Automaton : public Answers, public Passages {
     std::uint64_t phrases() const { return phrases_; }
 
   private:
-    using Number = TransitionTable::Number;
-    static constexpr Number none = TransitionTable::none;
+    using Number = TransitionSlot::Number;
+    static constexpr Number none = TransitionSlot::none;
     static constexpr Number first_loose = 1U << 31;
     using Stand = Transition::Stand;
     using Room = Transition::Room;
-    using Slot = TransitionTable::Slot;
+    using Slot = TransitionSlot;
     using History = std::vector<Number, Uninitialized<Number>>;
 
     bool is_far_apart(Group const& group) const;
@@ -109,6 +110,9 @@ class Automaton : public Answers, public Passages {
     static std::uint64_t fed_iterations(Group const& group);
     std::uint32_t supplies_of_phrase(Group const& group, std::uint32_t frozen) const;
     static std::uint64_t supplies_at_hand(Group::Member const& supplier);
+    Slot const* find(Print const& print) const {
+        return table_.find(print.first, [&](Slot const& slot) { return slot.print == print; });
+    }
     Slot const* work_out(Print const& print, Group const& group);
     bool perform(StateView from);
     Number number_of_state();
@@ -170,7 +174,7 @@ class Automaton : public Answers, public Passages {
     StateTable states_{NumberedTransitions::numbers - 1};  ///< the last number stands for those without
     TransitionStore store_;
     Transition worked_on_;
-    TransitionTable table_;
+    HashTable<Slot> table_{256};
     NumberedTransitions numbered_;  ///< by number of the phrase in a book
     NumberedTransitions pieces_;    ///< the same of pieces of phrases
     std::vector<Place> places_;

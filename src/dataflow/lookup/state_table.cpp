@@ -42,33 +42,16 @@ bool StateTable::equal(StateView one, StateView other) {
 
 StateTable::Number StateTable::number_of(StateView state) {
     std::uint64_t const hash = hash_of(state);
-    std::size_t const mask = buckets_.size() - 1;
-    std::size_t i = hash & mask;
-    for (; buckets_[i].number != none; i = (i + 1) & mask)
-        if (buckets_[i].hash == hash && equal(states_[buckets_[i].number], state))
-            return buckets_[i].number;
+    Numbered const* const known = numbers_.find(
+        hash, [&](Numbered const& other) { return other.state_hash == hash && equal(states_[other.number], state); });
+    if (known != nullptr)
+        return known->number;
     if (states_.size() >= most_)
         return none;
     auto const number = static_cast<Number>(states_.size());
     states_.emplace_back(words_.keep(state.words, state.size), state.size);
-    buckets_[i] = {hash, number};
-    if (2 * states_.size() > buckets_.size())
-        grow();
+    numbers_.add({hash, number});
     return number;
-}
-
-void StateTable::grow() {
-    std::vector<Bucket> old(2 * buckets_.size());
-    old.swap(buckets_);
-    std::size_t const mask = buckets_.size() - 1;
-    for (Bucket const& place : old) {
-        if (place.number == none)
-            continue;
-        std::size_t i = place.hash & mask;
-        while (buckets_[i].number != none)
-            i = (i + 1) & mask;
-        buckets_[i] = place;
-    }
 }
 
 }  // namespace dataflow::timing

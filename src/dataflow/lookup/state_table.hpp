@@ -4,6 +4,7 @@
 
 #include "dataflow/lookup/state_words.hpp"
 #include "dataflow/lookup/word_arena.hpp"
+#include "dataflow/phrases/hash_table.hpp"
 
 namespace dataflow::timing {
 
@@ -22,18 +23,21 @@ class StateTable {
     std::size_t size() const { return states_.size(); }
 
   private:
-    struct Bucket {
-        std::uint64_t hash = 0;
+    struct Numbered {
+        static constexpr Number none = StateTable::none;
+
+        std::uint64_t state_hash = 0;
         Number number = none;
+
+        std::uint64_t hash() const { return state_hash; }
     };
 
     static std::uint64_t hash_of(StateView state);
     static bool equal(StateView one, StateView other);
-    void grow();
 
     std::size_t most_;
     std::vector<StateView> states_;
-    std::vector<Bucket> buckets_ = std::vector<Bucket>(2048);  ///< by hash: open addressing, a power of two
+    HashTable<Numbered> numbers_{2048};
     WordArena<StateWord> words_;
 };
 

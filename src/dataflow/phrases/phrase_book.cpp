@@ -1,7 +1,5 @@
 #include "dataflow/phrases/phrase_book.hpp"
 
-#include <algorithm>
-
 namespace dataflow::timing {
 
 namespace {
@@ -28,34 +26,24 @@ std::vector<PhraseBook::Number> PhraseBook::numbers_of(PhraseBook const& other) 
 
 PhraseBook::Number PhraseBook::number_of(Phrase const& phrase, std::uint32_t due, Compare compare) {
     Print const print = phrase.print(print_number);
-    std::size_t const place = place_of(phrase, print, compare);
-    if (buckets_[place].number != none)
-        return buckets_[place].number;
+    if (Numbered const* const known = find(phrase, print, compare))
+        return known->number;
     auto const number = static_cast<Number>(entries_.size());
     entries_.push_back({static_cast<std::uint32_t>(codes_.size()), phrase.size(), phrase.active(), due, 0, 0});
     codes_.insert(codes_.end(), phrase.codes(), phrase.codes() + phrase.size());
-    buckets_[place] = {print, number};
-    if (2 * entries_.size() > buckets_.size())
-        grow();
+    numbers_.add({print, number});
     return number;
 }
 
 std::optional<PhraseBook::Number> PhraseBook::find(Phrase const& phrase) const {
-    Number const number = buckets_[place_of(phrase, phrase.print(print_number), Compare::codes)].number;
-    return number == none ? std::nullopt : std::optional<Number>(number);
+    Numbered const* const known = find(phrase, phrase.print(print_number), Compare::codes);
+    return known == nullptr ? std::nullopt : std::optional<Number>(known->number);
 }
 
-/// Where it is, or has to be put.
-std::size_t PhraseBook::place_of(Phrase const& phrase, Print const& print, Compare compare) const {
-    auto const is_it = [&](Bucket const& place) {
-        return place.print.first == print.first && place.print.second == print.second &&
-               (compare == Compare::prints || is(place.number, phrase));
-    };
-    std::size_t const mask = buckets_.size() - 1;
-    std::size_t place = print.first & mask;
-    while (buckets_[place].number != none && !is_it(buckets_[place]))
-        place = (place + 1) & mask;
-    return place;
+PhraseBook::Numbered const* PhraseBook::find(Phrase const& phrase, Print const& print, Compare compare) const {
+    return numbers_.find(print.first, [&](Numbered const& known) {
+        return known.print == print && (compare == Compare::prints || is(known.number, phrase));
+    });
 }
 
 bool PhraseBook::is(Number number, Phrase const& phrase) const {
@@ -66,23 +54,11 @@ bool PhraseBook::is(Number number, Phrase const& phrase) const {
     return equal;
 }
 
-void PhraseBook::grow() {
-    std::vector<Bucket> old(2 * buckets_.size());
-    old.swap(buckets_);
-    for (Bucket const& known : old) {
-        std::size_t place = known.print.first & (buckets_.size() - 1);
-        while (known.number != none && buckets_[place].number != none)
-            place = (place + 1) & (buckets_.size() - 1);
-        if (known.number != none)
-            buckets_[place] = known;
-    }
-}
-
 void PhraseBook::clear() {
     codes_.clear();
     entries_.clear();
     pieces_.clear();
-    std::fill(buckets_.begin(), buckets_.end(), Bucket());
+    numbers_.clear();
 }
 
 void PhraseBook::set_pieces(Number number, std::vector<Number> const& pieces) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dataflow/core/time/lead.hpp"
+#include "dataflow/phrases/hash_table.hpp"
 #include "dataflow/phrases/phrase.hpp"
 
 namespace dataflow::timing {
@@ -48,19 +49,22 @@ class PhraseBook {
 
   private:
     static constexpr Number none = ~Number{0};
-    struct Bucket {
+    struct Numbered {
+        static constexpr Number none = PhraseBook::none;
+
         Print print;
         Number number = none;
+
+        std::uint64_t hash() const { return print.first; }
     };
     Number number_of(Phrase const& phrase, std::uint32_t due, Compare compare);
-    std::size_t place_of(Phrase const& phrase, Print const& print, Compare compare) const;
+    Numbered const* find(Phrase const& phrase, Print const& print, Compare compare) const;
     bool is(Number number, Phrase const& phrase) const;
-    void grow();
 
     std::vector<Phrase::Code> codes_;
     std::vector<Entry> entries_;
     std::vector<Number> pieces_;
-    std::vector<Bucket> buckets_ = std::vector<Bucket>(1024);  ///< by print: open addressing, a power of two
+    HashTable<Numbered> numbers_{1024};
 };
 
 /// What a group does next: phrases, by their numbers in a book. The supplier's operations are in its log.

@@ -7,6 +7,8 @@ namespace dataflow::timing {
 struct Print {
     std::uint64_t first = 0;
     std::uint64_t second = 0;
+
+    bool operator==(Print const& other) const { return first == other.first && second == other.second; }
 };
 
 }  // namespace dataflow::timing

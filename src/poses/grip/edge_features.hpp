@@ -21,28 +21,15 @@ PointCloud observed_cloud(Stimulus const& stimulus);
 
 /// Thesis eq. 2.2 at a pixel that has a point p:
 ///   c = || sum over N of (p' - p) || / (|N| * ||p||)
-/// N: the other pixels of the n x n square that lie in the image. Where such a pixel has no point, it counts as one of
-/// the background, if there is one, and is no part of N otherwise. 0 without neighbours. The thesis's bracket leaves
-/// open whether p is subtracted once or from every neighbour: as in its source (Zhang, Singh, "LOAM", RSS 2014), from
-/// every one.
-class Curvature {
-  public:
-    /// `background`: one point per pixel, of the same size as the clouds, or null.
-    Curvature(int neighbourhood, PointCloud const* background) : radius_(neighbourhood / 2), background_(background) {}
-    double operator()(PointCloud const& cloud, int row, int col) const;
-
-  private:
-    int radius_;
-    PointCloud const* background_;
-};
-
-/// A plane at depth `z` [m] in front of the camera, for clouds of an object alone.
-PointCloud background_cloud(Camera const& camera, double z);
+/// N: the other pixels of the n x n square around it that lie in the image and have a point; n = 2 `radius` + 1. 0
+/// without neighbours. The thesis's bracket leaves open whether p is subtracted once or from every neighbour: as in its
+/// source (Zhang, Singh, "LOAM", RSS 2014), from every one.
+double curvature(PointCloud const& cloud, int row, int col, int radius);
 
 /// Feature of a pixel.
 enum class Feature : std::uint8_t { none, planar, edge };
 
 /// Pixels with a point: edges where the curvature is above the threshold, planar otherwise.
-Image<Feature> features(PointCloud const& cloud, Curvature const& curvature, double threshold);
+Image<Feature> features(PointCloud const& cloud, int neighbourhood, double threshold);
 
 }  // namespace faster::grip

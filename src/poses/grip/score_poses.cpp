@@ -8,7 +8,7 @@ namespace faster::grip {
 
 PoseScorer::PoseScorer(Stimulus const& stimulus, Settings const& settings) : stimulus_(stimulus), settings_(settings) {
     observed_.points = observed_cloud(stimulus);
-    observed_.features = features(observed_.points, Curvature(settings.neighbourhood, nullptr), settings.threshold);
+    observed_.features = features(observed_.points, settings.neighbourhood, settings.threshold);
 }
 
 PoseScore PoseScorer::score(Pose const& pose, PixelArea const& box) const {

@@ -10,6 +10,8 @@
 #include "faster/data/stimulus.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/reference/scorer.hpp"
+#include "faster/reference/vertex_transform.hpp"
+#include "poses/quality/silhouette.hpp"
 
 namespace faster::quality {
 
@@ -68,13 +70,17 @@ Stimulus stimulus_of(Mesh const& mesh, std::vector<Pose> const& poses) {
     return stimulus;
 }
 
-void look_at(std::size_t pose, Image<std::uint8_t> const& edge_map, Image<std::uint8_t> const& silhouette,
-             PoseSurvey& row) {
+/// Which contour an algorithm is to draw.
+ContourSide side_of(EdgeMapAlgorithm algorithm) {
+    return contour_is_on_object(algorithm) ? ContourSide::inside : ContourSide::outside;
+}
+
+void look_at(Image<std::uint8_t> const& edge_map, Image<std::uint8_t> const& silhouette, PoseSurvey& row) {
     ContourSide const side = side_of(row.algorithm);
     ContourQuality const quality = contour_quality(edge_map, silhouette, side);
     bool const is_first = row.poses == 0;
     row.add(quality);
-    Specimen const specimen{quality, pose, edge_map, silhouette, contour_of(silhouette, side)};
+    Specimen const specimen{quality, edge_map, silhouette, contour_of(silhouette, side)};
     if (is_first || quality.f1() > row.best.quality.f1())
         row.best = specimen;
     if (is_first || quality.f1() < row.worst.quality.f1())
@@ -123,10 +129,10 @@ std::vector<Pose> random_poses(Mesh const& mesh, std::size_t count, std::uint64_
 std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std::vector<Pose> const& poses,
                                std::vector<EdgeMapAlgorithm> const& algorithms, TellProgress const& progress) {
     Stimulus const stimulus = stimulus_of(mesh, poses);
-    SampleJudge judge(stimulus, ContourSide::outside);
+    reference::VertexTransform transform(mesh, stimulus.posed.camera, stimulus.fraction);
     std::vector<Image<std::uint8_t>> silhouettes;
     for (std::size_t i = 0; i < poses.size(); ++i)
-        silhouettes.push_back(judge.silhouette_of(i));
+        silhouettes.push_back(silhouette(transform(poses[i]), stimulus, stimulus.samples[i]));
     std::vector<PoseSurvey> rows;
     CountedProgress done(algorithms.size() * poses.size(), progress);
     for (EdgeMapAlgorithm const algorithm : algorithms) {
@@ -138,7 +144,7 @@ std::vector<PoseSurvey> survey(std::string const& object, Mesh const& mesh, std:
         row.object = object;
         for (std::size_t i = 0; i < poses.size(); ++i) {
             scorer.run(i);
-            look_at(i, scorer.maps().edge_map, silhouettes[i], row);
+            look_at(scorer.maps().edge_map, silhouettes[i], row);
             done.one_more();
         }
         rows.push_back(std::move(row));

@@ -10,14 +10,47 @@
 #include "faster/data/mesh.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/quality/contour_quality.hpp"
-#include "poses/quality/sample_judge.hpp"
 
 namespace faster::quality {
 
-/// One pose with the edge map an algorithm made of it, to be looked at.
+/// Sums of the qualities of many edge maps.
+struct QualitySums {
+    std::size_t poses = 0;
+    double precision = 0;
+    double recall = 0;
+    double thickness = 0;
+    std::size_t closed = 0;
+    std::size_t thin = 0;
+    std::size_t closed_and_thin = 0;
+
+    void add(ContourQuality const& quality) {
+        poses += 1;
+        precision += quality.precision;
+        recall += quality.recall;
+        thickness += quality.thickness;
+        closed += quality.is_closed ? 1 : 0;
+        thin += quality.is_thin ? 1 : 0;
+        closed_and_thin += quality.is_closed && quality.is_thin ? 1 : 0;
+    }
+
+    void include(QualitySums const& other) {
+        poses += other.poses;
+        precision += other.precision;
+        recall += other.recall;
+        thickness += other.thickness;
+        closed += other.closed;
+        thin += other.thin;
+        closed_and_thin += other.closed_and_thin;
+    }
+
+    /// Of one of the sums; 0 without poses.
+    double mean(double sum) const { return poses > 0 ? sum / static_cast<double>(poses) : 0; }
+    double share(std::size_t count) const { return mean(static_cast<double>(count)); }
+};
+
+/// A pose's edge map by an algorithm, to be looked at.
 struct Specimen {
     ContourQuality quality;
-    std::size_t pose = 0;
     Image<std::uint8_t> edge_map;  ///< all three 0 or 1, W x W
     Image<std::uint8_t> silhouette;
     Image<std::uint8_t> contour;

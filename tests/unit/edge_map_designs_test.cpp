@@ -29,7 +29,9 @@ Rows contour(EdgeMapAlgorithm algorithm) {
     stimulus.samples = {{side / 2, side / 2, 0, static_cast<std::uint32_t>(rim.size())}};
     EdgeMapConfig config;
     config.algorithm = algorithm;
-    SampleMaps const maps = reference::Scorer(stimulus, config).score(0).maps;
+    reference::Scorer scorer(stimulus, config);
+    scorer.run(0);
+    SampleMaps const& maps = scorer.maps();
     Rows rows;
     for (int row = 0; row < side; ++row) {
         rows.emplace_back();

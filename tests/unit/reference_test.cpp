@@ -48,6 +48,14 @@ struct Recorder {
     void edge(Pixel pixel) { tokens.push_back({'E', pixel.row, pixel.col}); }
 };
 
+struct SampleScore {
+    SampleCounters counters;
+    SampleMaps maps;
+};
+
+SampleScore score_of(reference::Scorer& scorer, std::size_t sample) { return {scorer.run(sample), scorer.maps()}; }
+SampleScore score_of(reference::Scorer&& scorer, std::size_t sample) { return score_of(scorer, sample); }
+
 VertexCode vertex(int x, int y, int z = 16384) {
     return {static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<std::uint16_t>(z)};
 }
@@ -96,7 +104,7 @@ bool is_rejected(TriangleCode const& triangle) {
 }
 
 TriangleCode transform_one(Mesh const& mesh, Pose const& pose = {}, FractionBits const& fraction = {}) {
-    return reference::transform(mesh, pose, round_camera, fraction).at(0);
+    return reference::VertexTransform(mesh, round_camera, fraction)(pose).at(0);
 }
 
 TEST_CASE("A triangle is scanned in a zig-zag whose tokens mark what it enters and leaves", "[reference][rasterizer]") {
@@ -251,7 +259,7 @@ TEST_CASE("A triangle leaves an edge map, an object map and a depth buffer", "[r
     // 768; the area is a power of two, so nothing is truncated. Edges: above line 1, and what the tokens of the scan
     // mark, and below (3,1); (3,2) and (2,3) come both from E tokens and from the objects above them.
     Stimulus const stimulus = square(6, {corner});
-    SampleScore const score = reference::Scorer(stimulus).score(0);
+    SampleScore const score = score_of(reference::Scorer(stimulus), 0);
     Image<std::uint8_t> const& edges = score.maps.edge_map;
     CHECK(row_of(edges, 0) == std::vector<int>{0, 1, 1, 1, 0, 0});
     CHECK(row_of(edges, 1) == std::vector<int>{0, 0, 0, 0, 1, 0});
@@ -274,13 +282,13 @@ TEST_CASE("A triangle leaves an edge map, an object map and a depth buffer", "[r
 TEST_CASE("The last object's second iteration runs only with flush_last", "[reference][scorer]") {
     // The tokens of this triangle are O(1,1), E(1,2), O(2,1), as worked out for the lost token above.
     Stimulus const stimulus = square(6, {{{vertex(16, 16), vertex(16, 32), vertex(31, 16)}}});
-    SampleMaps const plain = reference::Scorer(stimulus).score(0).maps;
+    SampleMaps const plain = score_of(reference::Scorer(stimulus), 0).maps;
     CHECK(plain.object_map.at(2, 1) == 0);
     CHECK(plain.edge_map.at(2, 1) == 0);  // its first iteration did clear what O(1,1) had marked
     CHECK(plain.edge_map.at(3, 1) == 0);
     EdgeMapConfig flushing;
     flushing.flush_last = true;
-    SampleMaps const flushed = reference::Scorer(stimulus, flushing).score(0).maps;
+    SampleMaps const flushed = score_of(reference::Scorer(stimulus, flushing), 0).maps;
     CHECK(flushed.object_map.at(2, 1) == 1);
     CHECK(flushed.edge_map.at(3, 1) == 1);
 }
@@ -293,7 +301,7 @@ TEST_CASE("Any further token lets the last object's second iteration run, even o
     stimulus.window = 6;
     stimulus.samples[0].centre_row = 3;
     stimulus.samples[0].centre_col = 3;
-    SampleScore const score = reference::Scorer(stimulus).score(0);
+    SampleScore const score = score_of(reference::Scorer(stimulus), 0);
     CHECK(score.maps.object_map.at(2, 1) == 1);
     CHECK(score.maps.edge_map.at(3, 1) == 1);
     CHECK(score.counters.valid_raster == 2);
@@ -491,7 +499,7 @@ TEST_CASE("Where the window leaves the image, 0 is observed", "[reference][inlie
     // Window rows and columns -2 .. 3 of the image: inside it are 4 x 4, of which 3 x 3 are not in the window's border.
     stimulus.samples[0].centre_row = 1;
     stimulus.samples[0].centre_col = 1;
-    SampleScore const score = reference::Scorer(stimulus).score(0);
+    SampleScore const score = score_of(reference::Scorer(stimulus), 0);
     CHECK(score.counters.valid_depth == 16 - 9);
     CHECK(score.maps.depth_buffer.at(3, 3) == 512);  // the pixel (1,1) of the image
     CHECK(score.counters.valid_raster == 6);
@@ -507,12 +515,12 @@ TEST_CASE("Fragments and tokens outside the window are dropped", "[reference][sc
     stimulus.window = 3;
     stimulus.samples[0].centre_row = 2;
     stimulus.samples[0].centre_col = 2;
-    SampleScore score = reference::Scorer(stimulus).score(0);
+    SampleScore score = score_of(reference::Scorer(stimulus), 0);
     CHECK(score.counters.valid_raster == 6);
     CHECK(score.maps.edge_map.pixels() == std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 0, 1, 0});
     // One column on: (1,1), (2,1) and (3,1) are outside.
     stimulus.samples[0].centre_col = 3;
-    score = reference::Scorer(stimulus).score(0);
+    score = score_of(reference::Scorer(stimulus), 0);
     CHECK(score.counters.valid_raster == 3);
     CHECK(score.maps.depth_buffer.pixels() ==
           std::vector<std::uint16_t>{576, 640, 2047, 704, 2047, 2047, 2047, 2047, 2047});
@@ -523,7 +531,7 @@ TEST_CASE("A window of one pixel is all border", "[reference][scorer]") {
     stimulus.window = 1;
     stimulus.samples[0].centre_row = 1;
     stimulus.samples[0].centre_col = 1;
-    SampleScore const score = reference::Scorer(stimulus).score(0);
+    SampleScore const score = score_of(reference::Scorer(stimulus), 0);
     CHECK(score.counters == SampleCounters{1, 0, 0, 0, 0});
     CHECK(score.maps.object_map.at(0, 0) == 1);
 }
@@ -533,8 +541,8 @@ TEST_CASE("A sample does not depend on the samples run before", "[reference][sco
     stimulus.samples = {{3, 3, 0, 1}, {3, 3, 1, 1}, {3, 3, 0, 2}, {3, 3, 2, 0}};
     reference::Scorer scorer(stimulus);
     for (std::size_t const sample : {std::size_t{2}, std::size_t{1}, std::size_t{3}, std::size_t{0}}) {
-        SampleScore const fresh = reference::Scorer(stimulus).score(sample);
-        SampleScore const used = scorer.score(sample);
+        SampleScore const fresh = score_of(reference::Scorer(stimulus), sample);
+        SampleScore const used = score_of(scorer, sample);
         CHECK(used.counters == fresh.counters);
         CHECK(used.maps.edge_map == fresh.maps.edge_map);
         CHECK(used.maps.object_map == fresh.maps.object_map);
@@ -574,7 +582,7 @@ TEST_CASE("The pose turns and moves the mesh before it is projected", "[referenc
 
 TEST_CASE("Faces share transformed vertices and keep mesh and face order", "[reference][transform]") {
     Mesh const mesh{{{0, 0, 1}, {0.01, 0, 1}, {0, 0.01, 1}, {0.01, 0.01, 9}}, {{{2, 0, 1}}, {{1, 2, 3}}, {{0, 1, 2}}}};
-    auto const codes = reference::transform(mesh, Pose{}, round_camera, FractionBits{});
+    auto const codes = reference::VertexTransform(mesh, round_camera, FractionBits{})(Pose{});
     REQUIRE(codes.size() == 3);
     VertexCode const v0 = vertex(5120, 3840);
     VertexCode const v1 = vertex(5136, 3840);
@@ -638,7 +646,7 @@ TEST_CASE("A posed stimulus gives the scores of its transformed triangles", "[re
     Stimulus trace = posed;
     trace.posed = {};
     for (std::size_t i = 0; i < 2; ++i) {
-        auto const codes = reference::transform(posed.posed.mesh, posed.posed.poses[i], posed.posed.camera, {});
+        auto const codes = reference::VertexTransform(posed.posed.mesh, posed.posed.camera, {})(posed.posed.poses[i]);
         trace.triangles.push_back(codes.at(0));
         trace.samples[i].first_triangle = static_cast<std::uint32_t>(i);
         trace.samples[i].triangle_count = 1;

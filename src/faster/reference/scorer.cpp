@@ -10,8 +10,8 @@
 #include "faster/reference/edge_map/bounded.hpp"
 #include "faster/reference/edge_map/dual_map.hpp"
 #include "faster/reference/edge_map/dual_map_4_1_2.hpp"
+#include "faster/reference/edge_map/edge_map_builder.hpp"
 #include "faster/reference/edge_map/inner_border.hpp"
-#include "faster/reference/edge_map/no_edge_map.hpp"
 #include "faster/reference/edge_map/threshold.hpp"
 #include "faster/reference/edge_map/transition.hpp"
 #include "faster/reference/edge_tokens.hpp"
@@ -122,7 +122,7 @@ Scorer::Scorer(Stimulus const& stimulus, EdgeExtractionConfig const& edge_extrac
 
 SampleCounters Scorer::run(std::size_t sample) {
     if (edge_extraction_) {
-        return run_with<NoEdgeMap>(sample, NoTokens());
+        return run_with<EdgeMapBuilder>(sample, NoTokens());
     }
     switch (edge_map_.algorithm) {
         case EdgeMapAlgorithm::threshold:

@@ -4,7 +4,6 @@
 
 #include "faster/config/edge_extraction_config.hpp"
 #include "faster/config/edge_map_config.hpp"
-#include "faster/data/sample_score.hpp"
 #include "faster/data/stimulus.hpp"
 #include "faster/reference/depth_buffer.hpp"
 #include "faster/reference/inlier_sweep.hpp"
@@ -32,9 +31,6 @@ class Scorer {
 
     /// The W x W pictures of the last sample run; overwritten by the next.
     SampleMaps const& maps() const { return maps_; }
-
-    /// run() and a copy of maps().
-    SampleScore score(std::size_t sample) { return {run(sample), maps_}; }
 
   private:
     struct TriangleRange {

@@ -72,9 +72,4 @@ VertexTransform::ImageVertex VertexTransform::project(Pose const& pose, Eigen::V
             true};
 }
 
-std::vector<TriangleCode> transform(Mesh const& mesh, Pose const& pose, Camera const& camera,
-                                    FractionBits const& fraction) {
-    return VertexTransform(mesh, camera, fraction)(pose);
-}
-
 }  // namespace faster::reference

@@ -34,8 +34,4 @@ class VertexTransform {
     std::vector<TriangleCode> triangles_;
 };
 
-/// Brings a mesh into the image in a single pose.
-std::vector<TriangleCode> transform(Mesh const& mesh, Pose const& pose, Camera const& camera,
-                                    FractionBits const& fraction);
-
 }  // namespace faster::reference

@@ -9,7 +9,7 @@ namespace faster::reference {
 /// next_token().
 class DualMap : public EdgeMapBuilder {
   public:
-    DualMap(Image<std::uint8_t>& edge_map, Image<std::uint8_t>& object_map) : EdgeMapBuilder(edge_map, object_map) {}
+    using EdgeMapBuilder::EdgeMapBuilder;
 
     void next_token() {
         if (!second_due_) {

@@ -7,13 +7,9 @@ namespace faster::reference {
 /// What lies outside the window is not known to be uncovered.
 class InnerBorder : public EdgeMapBuilder {
   public:
-    InnerBorder(Image<std::uint8_t>& edge_map, Image<std::uint8_t>& object_map)
-        : EdgeMapBuilder(edge_map, object_map) {}
+    using EdgeMapBuilder::EdgeMapBuilder;
 
-    void next_token() {}
     void object(int row, int col) { object_map_.at(row, col) = 1; }
-    void edge(int /*row*/, int /*col*/) {}
-
     void end(bool /*flush_last*/) {
         for (int row = 0; row < edge_map_.height(); ++row) {
             for (int col = 0; col < edge_map_.width(); ++col) {

@@ -6,16 +6,14 @@ namespace faster::reference {
 /// Thesis 5.1: a pixel that one token names is contour; one that several name lies between triangles.
 class Threshold : public EdgeMapBuilder {
   public:
-    Threshold(Image<std::uint8_t>& edge_map, Image<std::uint8_t>& object_map) : EdgeMapBuilder(edge_map, object_map) {}
+    using EdgeMapBuilder::EdgeMapBuilder;
 
-    void next_token() {}
     void object(int row, int col) { edge(row, col); }
     void edge(int row, int col) {
         bool const is_new = edge_map_.at(row, col) == 0 && object_map_.at(row, col) == 0;
         edge_map_.at(row, col) = is_new ? 1 : 0;
         object_map_.at(row, col) = is_new ? 0 : 1;
     }
-    void end(bool /*flush_last*/) {}
 };
 
 }  // namespace faster::reference

@@ -41,29 +41,22 @@ PngHeader require_pixel_type(std::filesystem::path const& path, std::string_view
     return check.header;
 }
 
-template <class Pixel> Image<Pixel> read_png(std::filesystem::path const& path) {
+template <class Pixel> Image<Pixel> decode(std::filesystem::path const& path, std::string_view file) {
     int const bits = static_cast<int>(8 * sizeof(Pixel));
-    std::string const file = read_file(path);
     PngHeader const header = require_pixel_type(path, file, bits);
     PngPixels pixels{static_cast<int>(header.width), static_cast<int>(header.height), 1, bits, {}};
     if (!decode_png(file, pixels)) {
         refuse(path, "cannot be decoded", bits);
     }
     Image<Pixel> image(pixels.height, pixels.width);
-    for (int row = 0; row < pixels.height; ++row) {
-        std::memcpy(image.row(row), pixels.bytes.data() + static_cast<std::size_t>(row) * pixels.row_bytes(),
-                    pixels.row_bytes());
-    }
+    std::memcpy(image.pixels().data(), pixels.bytes.data(), pixels.bytes.size());
     return image;
 }
 
 template <class Pixel> void encode(std::filesystem::path const& path, Image<Pixel> const& image) {
     PngPixels pixels{image.width(), image.height(), 1, static_cast<int>(8 * sizeof(Pixel)), {}};
     pixels.bytes.resize(pixels.row_bytes() * static_cast<std::size_t>(pixels.height));
-    for (int row = 0; row < pixels.height; ++row) {
-        std::memcpy(pixels.bytes.data() + static_cast<std::size_t>(row) * pixels.row_bytes(), image.row(row),
-                    pixels.row_bytes());
-    }
+    std::memcpy(pixels.bytes.data(), image.pixels().data(), pixels.bytes.size());
     std::string file;
     try {
         file = encode_png(pixels, PngEffort::little);
@@ -78,11 +71,8 @@ template <class Pixel> void encode(std::filesystem::path const& path, Image<Pixe
 std::string colour_png(Image<Colour> const& picture) {
     PngPixels pixels{picture.width(), picture.height(), 3, 8, {}};
     pixels.bytes.reserve(pixels.row_bytes() * static_cast<std::size_t>(pixels.height));
-    for (int row = 0; row < picture.height(); ++row)
-        for (int col = 0; col < picture.width(); ++col) {
-            Colour const& colour = picture.at(row, col);
-            pixels.bytes.insert(pixels.bytes.end(), colour.begin(), colour.end());
-        }
+    for (Colour const& colour : picture.pixels())
+        pixels.bytes.insert(pixels.bytes.end(), colour.begin(), colour.end());
     // A picture for people is drawn once and kept: a little more time for a third of the size.
     return encode_png(pixels, PngEffort::usual);
 }
@@ -91,8 +81,11 @@ void write_colour_png(std::filesystem::path const& path, Image<Colour> const& pi
     write_file(path, colour_png(picture));
 }
 
-Image<std::uint16_t> read_png16(std::filesystem::path const& path) { return read_png<std::uint16_t>(path); }
-Image<std::uint8_t> read_png8(std::filesystem::path const& path) { return read_png<std::uint8_t>(path); }
+Image<std::uint16_t> decode_png16(std::filesystem::path const& path, std::string_view file) {
+    return decode<std::uint16_t>(path, file);
+}
+Image<std::uint16_t> read_png16(std::filesystem::path const& path) { return decode_png16(path, read_file(path)); }
+Image<std::uint8_t> read_png8(std::filesystem::path const& path) { return decode<std::uint8_t>(path, read_file(path)); }
 
 void write_png(std::filesystem::path const& path, Image<std::uint16_t> const& image) { encode(path, image); }
 void write_png(std::filesystem::path const& path, Image<std::uint8_t> const& image) { encode(path, image); }

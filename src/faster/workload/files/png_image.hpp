@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "faster/data/image.hpp"
 #include "faster/workload/pictures/colour.hpp"
@@ -18,6 +19,8 @@ void write_colour_png(std::filesystem::path const& path, Image<Colour> const& pi
 /// file, one that is not an undamaged PNG, or one with another pixel type than the name says.
 Image<std::uint16_t> read_png16(std::filesystem::path const& path);
 Image<std::uint8_t> read_png8(std::filesystem::path const& path);
+/// Of a file that has been read; the path is for messages.
+Image<std::uint16_t> decode_png16(std::filesystem::path const& path, std::string_view file);
 
 /// Throws InputError if the file cannot be written.
 void write_png(std::filesystem::path const& path, Image<std::uint16_t> const& image);

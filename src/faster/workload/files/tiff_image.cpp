@@ -4,7 +4,6 @@
 #include <array>
 #include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -128,26 +127,13 @@ bool read_strips(TIFF* tiff, Image<std::uint16_t>& image) {
     throw InputError(fmt::format("{}: {}, expected 16-bit greyscale TIFF in strips", path.string(), found));
 }
 
-using Mark = std::array<char, 4>;  // with which a file begins; zeros, if it is shorter
-
-Mark mark_of(std::filesystem::path const& path) {
-    Mark first{};
-    std::ifstream(path, std::ios::binary).read(first.data(), first.size());
-    return first;
-}
-
-bool is_of_tiff(Mark const& first) {
+bool is_tiff(std::string_view file) {
     constexpr std::array<std::string_view, 4> marks{std::string_view("II*\0", 4), std::string_view("MM\0*", 4),
                                                     std::string_view("II+\0", 4), std::string_view("MM\0+", 4)};
-    return std::find(marks.begin(), marks.end(), std::string_view(first.data(), first.size())) != marks.end();
+    return std::find(marks.begin(), marks.end(), file.substr(0, 4)) != marks.end();
 }
 
-}  // namespace
-
-bool is_tiff(std::filesystem::path const& path) { return is_of_tiff(mark_of(path)); }
-
-Image<std::uint16_t> read_tiff16(std::filesystem::path const& path) {
-    std::string const file = read_file(path);
+Image<std::uint16_t> decode_tiff16(std::filesystem::path const& path, std::string_view file) {
     TiffBytes bytes{file};
     Tiff const tiff = open_tiff(bytes);
     if (tiff == nullptr)
@@ -161,14 +147,17 @@ Image<std::uint16_t> read_tiff16(std::filesystem::path const& path) {
     return image;
 }
 
+}  // namespace
+
+Image<std::uint16_t> read_tiff16(std::filesystem::path const& path) { return decode_tiff16(path, read_file(path)); }
+
 Image<std::uint16_t> read_depth_counts(std::filesystem::path const& path) {
-    Mark const first = mark_of(path);
-    if (is_of_tiff(first))
-        return read_tiff16(path);
-    io::require_file(path);
-    if (first != Mark{'\x89', 'P', 'N', 'G'})
+    std::string const file = read_file(path);
+    if (is_tiff(file))
+        return decode_tiff16(path, file);
+    if (file.compare(0, 4, "\x89PNG") != 0)
         io::fail(path, "is neither a PNG nor a TIFF file, expected one of 16-bit greyscale");
-    return read_png16(path);
+    return decode_png16(path, file);
 }
 
 }  // namespace faster::files

@@ -6,9 +6,6 @@
 
 namespace faster::files {
 
-/// Whether a file begins as TIFF files do. False for one that cannot be read.
-bool is_tiff(std::filesystem::path const& path);
-
 /// The first image of a TIFF file, as it is: 16-bit grey in strips, plain or packed by LZW, Deflate or PackBits. Throws
 /// InputError: a missing or damaged file, another kind of pixels, more than 16384 of them on a side.
 Image<std::uint16_t> read_tiff16(std::filesystem::path const& path);

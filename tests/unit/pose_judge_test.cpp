@@ -216,7 +216,7 @@ TEST_CASE("Rows are objects, all and their mean, and methods are compared on the
     ScoreRow const& box = row_of(evaluation, "worse", "obj_000001");
     CHECK(box.instances == 4);
     CHECK(box.estimated == 3);
-    double const of_box = 100 * area_under_accuracy({0.03, 0.03, 0.03, INFINITY});
+    double const of_box = 100 * area_under_accuracy({{0.03, 3}}, 4);
     CHECK(box.scores[1].value == Approx(of_box));
     CHECK(box.scores[1].low < of_box);
     CHECK(row_of(evaluation, "worse", "all").scores[5].value == Approx(87.5));

@@ -1,6 +1,7 @@
 #include "poses/judging/matching.hpp"
 
 #include <limits>
+#include <optional>
 
 namespace faster::poses {
 
@@ -8,51 +9,36 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-class Matching {
-  public:
-    Matching(PairErrors const& errors, std::size_t truths)
-        : errors_(errors), is_used_(errors.size(), false), matched_(truths, infinite) {}
-
-    void match(double limit) {
-        for (std::size_t e = 0; e < errors_.size(); ++e) {
-            if (!is_used_[e])
-                take_nearest(e, limit);
-        }
-    }
-    std::vector<double> const& errors() const { return matched_; }
-
-  private:
-    void take_nearest(std::size_t e, double limit) {
-        std::size_t nearest = matched_.size();
-        for (std::size_t g = 0; g < matched_.size(); ++g) {
-            double const least = nearest < matched_.size() ? errors_[e][nearest] : limit;
-            if (matched_[g] == infinite && errors_[e][g] < least)
+/// Estimates that are left take true poses that are left, nearer than the limit.
+void match(PairErrors const& errors, double limit, std::vector<bool>& is_used, std::vector<double>& matched) {
+    for (std::size_t e = 0; e < errors.size(); ++e) {
+        std::optional<std::size_t> nearest;
+        for (std::size_t g = 0; g < matched.size() && !is_used[e]; ++g) {
+            if (matched[g] == infinite && errors[e][g] < (nearest ? errors[e][*nearest] : limit))
                 nearest = g;
         }
-        if (nearest < matched_.size()) {
-            matched_[nearest] = errors_[e][nearest];
-            is_used_[e] = true;
+        if (nearest) {
+            matched[*nearest] = errors[e][*nearest];
+            is_used[e] = true;
         }
     }
-
-    PairErrors const& errors_;
-    std::vector<bool> is_used_;
-    std::vector<double> matched_;
-};
+}
 
 }  // namespace
 
 std::vector<double> matched_below(PairErrors const& errors, std::size_t truths, double limit) {
-    Matching matching(errors, truths);
-    matching.match(limit);
-    return matching.errors();
+    std::vector<bool> is_used(errors.size(), false);
+    std::vector<double> matched(truths, infinite);
+    match(errors, limit, is_used, matched);
+    return matched;
 }
 
 std::vector<double> matched(PairErrors const& errors, std::size_t truths, double limit) {
-    Matching matching(errors, truths);
-    matching.match(limit);
-    matching.match(infinite);
-    return matching.errors();
+    std::vector<bool> is_used(errors.size(), false);
+    std::vector<double> matched(truths, infinite);
+    match(errors, limit, is_used, matched);
+    match(errors, infinite, is_used, matched);
+    return matched;
 }
 
 }  // namespace faster::poses

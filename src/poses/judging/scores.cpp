@@ -31,16 +31,6 @@ double area_under_accuracy(std::vector<WeightedError> const& errors, double tota
     return area / (largest_add_m * total);
 }
 
-double area_under_accuracy(std::vector<double> errors_m) {
-    std::sort(errors_m.begin(), errors_m.end());
-    std::vector<WeightedError> finite;
-    for (double const error_m : errors_m) {
-        if (error_m <= largest_add_m)
-            finite.push_back({error_m, 1});
-    }
-    return area_under_accuracy(finite, static_cast<double>(errors_m.size()));
-}
-
 double plain_area_under_accuracy(std::vector<WeightedError> const& errors, double total) {
     double area = 0;
     for (auto const& [error_m, weight] : errors)

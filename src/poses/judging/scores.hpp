@@ -21,9 +21,6 @@ struct WeightedError {
 /// `errors` ascend and are at most 0.1 m; `total` is the weight of all instances, those beyond 0.1 m included.
 double area_under_accuracy(std::vector<WeightedError> const& errors, double total);
 
-/// The area of plain errors in any order, infinite ones among them.
-double area_under_accuracy(std::vector<double> errors_m);
-
 /// The plain area under the same curve, as a step function: the mean of 1 - error / 0.1 m over the instances. Errors
 /// are at most 0.1 m; `total` is the weight of all instances.
 double plain_area_under_accuracy(std::vector<WeightedError> const& errors, double total);

@@ -91,7 +91,7 @@ class AnnotatedBoxes {
         poses::Truths others;
         for (bop::GroundTruth const& object : dataset_.find(target.image)->objects)
             if (object.obj_id != target.obj_id)
-                others.push_back(&object);
+                others.push_back(&bop::sound(object));
         return of(others, target);
     }
 
@@ -220,8 +220,10 @@ std::string estimates_csv(std::vector<WantedEstimate> const& wanted, experiments
 }
 
 void judge(fs::path const& out, std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,
-           SettingData const& setting, std::vector<MethodData> const& methods, std::size_t jobs, JudgedErrors& errors) {
+           SettingData const& setting, std::vector<MethodData> const& methods, std::size_t jobs, bool force,
+           JudgedErrors& errors) {
     EvaluateRequest request;
+    request.force = force;
     for (MethodData const& method : methods)
         request.files.push_back((out / "results" / setting.name / (method.name + ".csv")).string());
     request.files.push_back(setting.dataset.folder.string());
@@ -304,9 +306,9 @@ int experiment(ExperimentRequest const& request) {
     write_results(out, wanted, journal, settings, methods);
     JudgedErrors errors;
     for (SettingData const& setting : settings)
-        judge(out, wanted, journal, setting, methods, jobs, errors);
+        judge(out, wanted, journal, setting, methods, jobs, request.force, errors);
     io::write_file_atomically(out / "estimates.csv", estimates_csv(wanted, journal, errors));
-    std::vector<Failure> const failures = failures_among(wanted, journal, errors, jobs);
+    std::vector<Failure> const failures = failures_among(wanted, journal, errors);
     write_failures(out, failures, settings, request.failures);
     say("\n# failures by reason\n\n{}\n# verdicts\n\n{}\nwritten: {}\n", failures_table(failures, settings, methods),
         verdicts_table(wanted, journal, errors, settings, methods), request.out);

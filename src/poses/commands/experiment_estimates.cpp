@@ -13,6 +13,7 @@
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_file.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
 #include "poses/bop/read_dataset.hpp"
 #include "poses/commands/estimate_scene.hpp"
 #include "poses/commands/estimate_scorers.hpp"
@@ -46,10 +47,8 @@ class Contents {
 };
 
 std::string pose_identity(Pose const& pose) {
-    std::string text;
-    for (Eigen::Index i = 0; i < 9; ++i)
-        text += fmt::format("{} ", pose.rotation(i / 3, i % 3));
-    return text + fmt::format("{} {} {}", pose.translation.x(), pose.translation.y(), pose.translation.z());
+    Eigen::Vector3d const& t = pose.translation;
+    return fmt::format("{} {} {} {}", files::row_major_text(pose.rotation), t.x(), t.y(), t.z());
 }
 
 std::string target_text(SettingData const& setting, bop::Target const& target, std::vector<bop::Detection> const& boxes,

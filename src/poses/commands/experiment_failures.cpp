@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 
-#include "dataflow/base/on_threads.hpp"
 #include "dataflow/commands/progress_line.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
@@ -231,20 +230,16 @@ Image<Colour> failure_sheet(std::vector<Failure> const& failures) {
 }
 
 std::vector<Failure> failures_among(std::vector<WantedEstimate> const& wanted,
-                                    experiments::EstimateJournal const& journal, JudgedErrors const& errors,
-                                    std::size_t jobs) {
-    std::vector<std::optional<Failure>> found(wanted.size());
+                                    experiments::EstimateJournal const& journal, JudgedErrors const& errors) {
+    std::vector<Failure> failures;
     ProgressLine progress("estimates looked at");
     CountedProgress done(wanted.size(), progress.teller());
-    on_threads(wanted.size(), jobs, [&](std::size_t i) {
-        if (experiments::EstimateResult const* const result = journal.find(wanted[i].id))
-            found[i] = looked_at(wanted[i], *result, errors.of(wanted[i]));
+    for (WantedEstimate const& each : wanted) {
+        if (experiments::EstimateResult const* const result = journal.find(each.id))
+            if (std::optional<Failure> const failure = looked_at(each, *result, errors.of(each)))
+                failures.push_back(*failure);
         done.one_more();
-    });
-    std::vector<Failure> failures;
-    for (std::optional<Failure> const& each : found)
-        if (each)
-            failures.push_back(*each);
+    }
     return failures;
 }
 

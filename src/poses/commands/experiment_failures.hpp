@@ -52,8 +52,7 @@ class JudgedErrors {
 
 /// Of all estimates that are there, in their order. Those whose truth is not known are none.
 std::vector<Failure> failures_among(std::vector<WantedEstimate> const& wanted,
-                                    experiments::EstimateJournal const& journal, JudgedErrors const& errors,
-                                    std::size_t jobs);
+                                    experiments::EstimateJournal const& journal, JudgedErrors const& errors);
 
 /// A row per failure.
 std::string failures_csv(std::vector<Failure> const& failures);

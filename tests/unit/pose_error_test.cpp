@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dataflow/base/random.hpp"
+#include "faster/data/mesh_size.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/judging/model_symmetries.hpp"
 #include "support/bop_folder.hpp"

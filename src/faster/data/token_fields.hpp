@@ -8,7 +8,7 @@
 
 namespace dataflow {
 
-// The fields of each FIFO's tokens (see TokenFields); by FIFO where a plain number serves several.
+// The fields of the tokens of FIFOs that are no plain numbers (see TokenFields).
 
 template <> struct TokenFields<faster::SampleHeader> {
     static constexpr std::array<TokenField, 4> layout{
@@ -20,16 +20,6 @@ template <> struct TokenFields<faster::SampleHeader> {
 template <> struct TokenFields<faster::VertexCode> {
     static constexpr std::array<TokenField, 3> layout{{{"x", 16, true}, {"y", 16, true}, {"z", 16}}};
     static std::array<std::int64_t, 3> values(faster::VertexCode const& t) { return {t.x, t.y, t.z}; }
-};
-/// area, fragment_depth (the z sum).
-template <> struct TokenFields<std::int64_t> {
-    static constexpr std::array<TokenField, 1> layout{{{"value", 64, true}}};
-    static std::array<std::int64_t, 1> values(std::int64_t t) { return {t}; }
-};
-/// area_reciprocal.
-template <> struct TokenFields<std::uint64_t> {
-    static constexpr std::array<TokenField, 1> layout{{{"value", 64}}};
-    static std::array<std::int64_t, 1> values(std::uint64_t t) { return {static_cast<std::int64_t>(t)}; }
 };
 template <> struct TokenFields<faster::Command> {
     static constexpr std::array<TokenField, 1> layout{

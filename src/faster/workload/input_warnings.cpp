@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "dataflow/base/middle_of.hpp"
+#include "faster/data/mesh_size.hpp"
 #include "faster/workload/object_mesh.hpp"
 #include "faster/workload/object_pose.hpp"
 
@@ -39,9 +41,7 @@ Facing facing_of(Mesh const& mesh, Eigen::Vector3d const& middle) {
 std::string inside_out_warning(Mesh const& mesh, std::string const& file) {
     constexpr double nearly_closed = 0.02;  // of the area
     constexpr double some_volume = 0.01;    // of the box
-    Eigen::AlignedBox3d box;
-    for (Eigen::Vector3d const& vertex : mesh.vertices)
-        box.extend(vertex);
+    Eigen::AlignedBox3d const box = box_of(mesh);
     if (box.isEmpty())
         return {};
     Facing const facing = facing_of(mesh, box.center());
@@ -80,7 +80,7 @@ std::string far_poses_warning(WorkloadConfig const& config, std::vector<Pose> co
     auto const is_far = [](Pose const& pose) { return pose.translation.norm() > furthest_m; };
     auto const first = std::find_if(poses.begin(), poses.end(), is_far);
     auto const count = std::count_if(poses.begin(), poses.end(), is_far);
-    if (2 * static_cast<std::size_t>(count) <= poses.size() || first == poses.end())
+    if (2 * static_cast<std::size_t>(count) <= poses.size())
         return {};
     bool const is_table = !config.samples.poses.empty();
     return fmt::format("{}: {} of {} poses are further than {} m away, the first {:.4g} m; expected {}",
@@ -107,12 +107,6 @@ std::string lost_triangles_warning(Mesh const& mesh, std::vector<Pose> const& po
         "accelerator.fraction_bits.vertex_z = {}: triangles that reach beyond {} m are dropped, as of {} of {} poses; "
         "expected at most {}, with which none are",
         fraction.vertex_z, reach_m, count, poses.size(), enough_bits);
-}
-
-double middle_of(std::vector<double>& values) {
-    auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Readings where one pose puts the box of an object.
@@ -205,9 +199,7 @@ std::string depth_pose_warning(DepthImage const& depth, Camera const& camera, Me
     constexpr std::size_t enough = 16;
     if (poses.empty() || mesh.vertices.empty())
         return {};
-    Eigen::AlignedBox3d box;
-    for (Eigen::Vector3d const& vertex : mesh.vertices)
-        box.extend(vertex);
+    Eigen::AlignedBox3d const box = box_of(mesh);
     Sight sight;
     std::size_t const step = (poses.size() + enough - 1) / enough;
     for (std::size_t i = 0; i < poses.size() && !sight.meets; i += step)

@@ -13,6 +13,7 @@
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
+#include "faster/data/mesh_size.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_file.hpp"
 #include "faster/workload/models/builtin_models.hpp"
@@ -140,10 +141,7 @@ LengthUnit const* unit_of_length(double side_m) {
 double longest_side_m(Mesh const& mesh) {
     if (mesh.vertices.empty())
         return 0;
-    Eigen::AlignedBox3d box;
-    for (Eigen::Vector3d const& vertex : mesh.vertices)
-        box.extend(vertex);
-    return box.sizes().maxCoeff();
+    return box_of(mesh).sizes().maxCoeff();
 }
 
 std::string length_warning(Mesh const& mesh, std::string const& file) {

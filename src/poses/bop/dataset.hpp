@@ -87,6 +87,15 @@ template <class Item> Item const& sound(Item const& item) {
     return item;
 }
 
+/// Keeps what is wrong with an item, of several the first, for those who ask for it.
+template <class Item, class Read> void read_into(Item& item, Read const& read) {
+    try {
+        read();
+    } catch (InputError const& error) {
+        item.problem = item.problem.empty() ? error.what() : item.problem;
+    }
+}
+
 /// How many instances of an object are to be found in an image (test_targets_bop19.json, test_targets_bop24.json).
 struct Target {
     ImageId image;

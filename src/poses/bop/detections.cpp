@@ -17,11 +17,7 @@ class DetectionReader {
         Detection detection;
         detection.image = {node.at("scene_id").integer(0), node.at("image_id").integer(0)};
         detection.obj_id = node.at("category_id").integer(0);
-        try {
-            read_rest(node, detection);
-        } catch (InputError const& error) {
-            detection.problem = error.what();
-        }
+        read_into(detection, [&] { read_rest(node, detection); });
         return detection;
     }
     std::vector<std::string> warnings(std::filesystem::path const& path) const {

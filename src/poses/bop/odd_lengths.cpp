@@ -1,28 +1,106 @@
 #include "poses/bop/odd_lengths.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
+#include "dataflow/base/middle_of.hpp"
+#include "faster/data/mesh_size.hpp"
 #include "faster/dataflow_names.hpp"
+#include "faster/workload/files/pose_numbers.hpp"
 #include "faster/workload/object_mesh.hpp"
 
 namespace faster::bop {
+namespace {
+
+constexpr double mm_per_metre = 1 / files::m_per_mm;
+
+ObjectModel::Bounds bounds_of(Mesh const& mesh) {
+    Eigen::AlignedBox3d const box = box_of(mesh);
+    return {box.min(), box.sizes()};
+}
+
+std::string mm_text(Eigen::Vector3d const& v) {
+    return fmt::format("{:.4g} x {:.4g} x {:.4g} mm", mm_per_metre * v.x(), mm_per_metre * v.y(), mm_per_metre * v.z());
+}
+
+std::string info_text(ObjectModel const& model) {
+    std::string text = fmt::format("object {} has diameter {:.4g}", model.obj_id, mm_per_metre * *model.diameter_m);
+    if (model.bounds)
+        text += ", and is " + mm_text(model.bounds->size);
+    return text;
+}
+
+/// How many times as large as its diameter the mesh is, which lies between its longest side and its diagonal.
+double ratio_of_diameter(ObjectModel::Bounds const& found, double diameter_m) {
+    double const least = found.size.maxCoeff() / diameter_m, most = found.size.norm() / diameter_m;
+    return most < 1 ? most : std::max(least, 1.0);
+}
+
+/// How many times as large as told the mesh is, by its longest side or its diameter, whichever is farther off.
+double ratio(ObjectModel::Bounds const& found, ObjectModel const& model) {
+    double const of_diameter = ratio_of_diameter(found, *model.diameter_m);
+    if (!model.bounds || !(model.bounds->size.maxCoeff() > 0))
+        return of_diameter;
+    double const of_sizes = found.size.maxCoeff() / model.bounds->size.maxCoeff();
+    return std::abs(std::log(of_sizes)) > std::abs(std::log(of_diameter)) ? of_sizes : of_diameter;
+}
+
+/// The largest difference of a corner of the two boxes, in diameters.
+double shift(ObjectModel::Bounds const& found, ObjectModel const& model) {
+    if (!model.bounds)
+        return 0;
+    Eigen::Vector3d const low = found.min - model.bounds->min, high = low + found.size - model.bounds->size;
+    return std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()) / *model.diameter_m;
+}
+
+/// The option that reads the meshes in another unit, if the ratio is that of the units.
+std::string unit_help(double larger, double unit_m) {
+    double const right_unit_m = unit_m / larger;
+    auto const is_about = [&](double wanted_m) { return right_unit_m > wanted_m / 2 && right_unit_m < wanted_m * 2; };
+    for (auto const& [unit, length_m] : {std::pair("m", 1.0), std::pair("mm", files::m_per_mm)}) {
+        if (is_about(length_m))
+            return fmt::format("; meshes in {0}, poses in mm: estimate and evaluate with --models-in {0}", unit);
+    }
+    return "";
+}
+
+}  // namespace
+
+void compare_with_info(Mesh const& mesh, ObjectModel const& model, std::vector<std::string>& warnings) {
+    if (!model.diameter_m || model.info.empty() || mesh.vertices.empty())
+        return;
+    constexpr double contradicts = 2, is_odd = 1.1, odd_shift = 0.05, least_m = 0.003, most_m = 10;
+    ObjectModel::Bounds const found = bounds_of(mesh);
+    double const larger = ratio(found, model), away = std::max(larger, 1 / larger);
+    std::string const both = fmt::format("{}: is {}, but by {} {}", model.mesh.string(), mm_text(found.size),
+                                         model.info.string(), info_text(model));
+    if (!(away < contradicts))
+        throw InputError(fmt::format("{}: {:.4g} times as large, expected the same{}", both, larger,
+                                     unit_help(larger, model.unit_m)));
+    if (*model.diameter_m < least_m || *model.diameter_m > most_m)
+        warnings.push_back(both + ", expected millimetres: lengths of some centimetres");
+    if (away > is_odd || shift(found, model) > odd_shift)
+        warnings.push_back(both + (model.bounds ? fmt::format(" from {}", mm_text(model.bounds->min)) : std::string()) +
+                           ", expected the same: another mesh, other axes, or moved");
+}
 
 void tell_of_translations(Dataset& dataset, std::string const& place, double unit_m) {
     constexpr double least_m = 0.02, most_m = 100;
     std::vector<double> distances_m;
     for (DatasetImage const& image : dataset.images) {
-        for (GroundTruth const& object : image.objects)
-            distances_m.push_back(object.pose.translation.norm());
+        for (GroundTruth const& object : image.objects) {
+            if (object.problem.empty())
+                distances_m.push_back(object.pose.translation.norm());
+        }
     }
     if (distances_m.empty())
         return;
-    auto const middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
-    std::nth_element(distances_m.begin(), middle, distances_m.end());
-    if (*middle < least_m || *middle > most_m)
+    double const middle_m = middle_of(distances_m);
+    if (middle_m < least_m || middle_m > most_m)
         dataset.warnings.push_back(
             fmt::format("{} puts half of the objects {} than {:.3g} {} from the camera, expected {}", place,
-                        *middle < least_m ? "no farther" : "farther", *middle / unit_m, unit_m == 1 ? "m" : "mm",
+                        middle_m < least_m ? "no farther" : "farther", middle_m / unit_m, unit_m == 1 ? "m" : "mm",
                         unit_m == 1 ? "metres" : "millimetres"));
 }
 

@@ -18,7 +18,6 @@
 #include "faster/workload/files/pose_numbers.hpp"
 #include "faster/workload/files/tiff_image.hpp"
 #include "poses/bop/mended_rotations.hpp"
-#include "poses/bop/model_bounds.hpp"
 #include "poses/bop/odd_lengths.hpp"
 #include "poses/bop/read_models.hpp"
 #include "poses/bop/scene_folder.hpp"

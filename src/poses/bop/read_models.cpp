@@ -154,11 +154,7 @@ void read_infos(fs::path const& file, std::map<int, ObjectModel>& models, std::v
         ObjectModel& model = found->second;
         model.problem.clear();
         model.info = file;
-        try {
-            read_info(info, model, mended);
-        } catch (InputError const& error) {
-            model.problem = error.what();
-        }
+        read_into(model, [&] { read_info(info, model, mended); });
     }
     mended.tell(file.string(), warnings);
 }

@@ -28,15 +28,6 @@ void read_camera(io::JsonNode const& node, DatasetImage& image) {
     image.depth_unit_m = files::m_per_mm * (scale ? scale->number_above_zero() : 1);
 }
 
-/// Keeps what is wrong with an item for those who ask for it.
-template <class Item, class Read> void read_into(Item& item, Read const& read) {
-    try {
-        read();
-    } catch (InputError const& error) {
-        item.problem = item.problem.empty() ? error.what() : item.problem;
-    }
-}
-
 /// NNNNNN.png, or .tif as ITODD has it.
 fs::path depth_file(fs::path const& folder, int im_id) {
     for (char const* const extension : {".png", ".tif", ".tiff"}) {

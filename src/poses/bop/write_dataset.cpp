@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "dataflow/base/json.hpp"
+#include "faster/data/mesh_size.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/pose_numbers.hpp"
 
@@ -43,15 +44,6 @@ template <class ValueOf> std::string per_object(std::vector<DatasetImage> const&
     });
 }
 
-/// The largest distance between two vertices.
-double diameter_m(Mesh const& mesh) {
-    double square = 0;
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            square = std::max(square, (mesh.vertices[i] - mesh.vertices[j]).squaredNorm());
-    return std::sqrt(square);
-}
-
 Json symmetry_json(Pose const& pose) {
     Json numbers = Json::array();
     for (Eigen::Index row = 0; row < 3; ++row) {
@@ -65,16 +57,12 @@ Json symmetry_json(Pose const& pose) {
 }
 
 Json info_json(ObjectModel const& model, Mesh const& mesh) {
-    Eigen::Vector3d low = mesh.vertices.front(), high = low;
-    for (Eigen::Vector3d const& vertex : mesh.vertices) {
-        low = low.cwiseMin(vertex);
-        high = high.cwiseMax(vertex);
-    }
-    Json info{{"diameter", mm_per_m * diameter_m(mesh)}};
+    Eigen::AlignedBox3d const box = box_of(mesh);
+    Json info{{"diameter", mm_per_m * diameter_of(mesh.vertices)}};
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         std::string const name(1, "xyz"[axis]);
-        info["min_" + name] = mm_per_m * low(axis);
-        info["size_" + name] = mm_per_m * (high(axis) - low(axis));
+        info["min_" + name] = mm_per_m * box.min()(axis);
+        info["size_" + name] = mm_per_m * box.sizes()(axis);
     }
     for (Pose const& symmetry : model.symmetries)
         info["symmetries_discrete"].push_back(symmetry_json(symmetry));

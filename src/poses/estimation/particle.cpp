@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dataflow/base/portable_math.hpp"
+#include "faster/data/mesh_size.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace faster::estimation {
@@ -127,13 +128,9 @@ ObjectSize size_of(Mesh const& mesh) {
     ObjectSize size;
     if (mesh.vertices.empty())
         return size;
-    Eigen::Vector3d least = mesh.vertices.front(), most = mesh.vertices.front();
-    for (Eigen::Vector3d const& vertex : mesh.vertices) {
-        least = least.cwiseMin(vertex);
-        most = most.cwiseMax(vertex);
-    }
-    size.middle = (least + most) / 2;
-    size.least_extent = (most - least).minCoeff();
+    Eigen::AlignedBox3d const box = box_of(mesh);
+    size.middle = box.center();
+    size.least_extent = box.sizes().minCoeff();
     double square = 0;
     for (Eigen::Vector3d const& vertex : mesh.vertices) {
         double const x = vertex.x() - size.middle.x(), y = vertex.y() - size.middle.y();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dataflow/base/input_error.hpp"
+#include "faster/data/mesh_size.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_file.hpp"
 #include "faster/workload/models/builtin_models.hpp"
@@ -43,11 +44,9 @@ std::vector<fs::path> files_in(fs::path const& folder) {
 }
 
 void move_to_middle(Mesh& mesh) {
-    Eigen::AlignedBox3d box;
-    for (Eigen::Vector3d const& vertex : mesh.vertices)
-        box.extend(vertex);
+    Eigen::Vector3d const middle = box_of(mesh).center();
     for (Eigen::Vector3d& vertex : mesh.vertices)
-        vertex -= box.center();
+        vertex -= middle;
 }
 
 /// Of another unit, or larger than what the camera sees of the table.

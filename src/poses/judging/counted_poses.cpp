@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/middle_of.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/bop/read_dataset.hpp"
 
@@ -24,12 +25,6 @@ Truths truths_of(bop::Dataset const& dataset, bop::Target const& target) {
             truths.push_back(&bop::sound(object));
     }
     return truths;
-}
-
-double median(std::vector<double> values) {
-    auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 }  // namespace
@@ -91,7 +86,7 @@ void EstimatesByTarget::tell_of_unit(std::vector<std::string>& warnings) const {
     }
     if (estimated.empty() || annotated.empty())
         return;
-    double const found = median(estimated), expected = median(annotated);
+    double const found = middle_of(estimated), expected = middle_of(annotated);
     if (found * too_much < expected || found > expected * too_much)
         warnings.push_back(
             fmt::format("{}: column t puts half of the objects within {:.3g} mm, the true poses within {:.3g} mm: t is "

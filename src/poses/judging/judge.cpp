@@ -8,6 +8,7 @@
 
 #include "dataflow/base/counted_progress.hpp"
 #include "dataflow/base/on_threads.hpp"
+#include "faster/data/mesh_size.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/bop/read_dataset.hpp"
 #include "poses/judging/counted_poses.hpp"

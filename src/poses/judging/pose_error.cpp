@@ -98,13 +98,4 @@ double mspd(Points const& points, std::vector<Pose> const& symmetries, Pose cons
     return std::sqrt(least);
 }
 
-double diameter_of(Points const& points) {
-    double largest = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j)
-            largest = std::max(largest, (points[i] - points[j]).squaredNorm());
-    }
-    return std::sqrt(largest);
-}
-
 }  // namespace faster::poses

@@ -33,7 +33,4 @@ double mssd(Points const& points, std::vector<Pose> const& symmetries, Pose cons
 double mspd(Points const& points, std::vector<Pose> const& symmetries, Pose const& estimate, Pose const& truth,
             Camera const& camera);
 
-/// The largest distance between two of the points.
-double diameter_of(Points const& points);
-
 }  // namespace faster::poses

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 
+#include "faster/data/mesh_size.hpp"
+
 namespace faster::models {
 
 Mesh joined(std::vector<Mesh> const& parts) {
@@ -28,10 +30,7 @@ Mesh turned_about_z(Mesh mesh, double degrees) {
 }
 
 Mesh fitted(Mesh mesh, Eigen::Vector3d const& size) {
-    Eigen::AlignedBox3d bounds;
-    for (Eigen::Vector3d const& vertex : mesh.vertices) {
-        bounds.extend(vertex);
-    }
+    Eigen::AlignedBox3d const bounds = box_of(mesh);
     Eigen::Vector3d const centre = bounds.center();
     Eigen::Vector3d const scale = size.cwiseQuotient(bounds.sizes());
     for (Eigen::Vector3d& vertex : mesh.vertices) {

@@ -8,60 +8,42 @@
 namespace faster {
 namespace {
 
-using Make = KeyMaker<FasterConfig>;
-
 constexpr char const* this_project = "this project";
 constexpr std::int64_t most_address = (std::int64_t{1} << 40) - 1;
-
-template <class Field> Key address_key(std::string const& name, std::string const& what, Field field) {
-    return Make::integer_key({"accelerator.memory." + name, "", "Address of " + what + ".", this_project},
-                             {0, most_address}, field);
-}
 
 }  // namespace
 
 Keys memory_placement_keys() {
     Keys keys;
-    keys.push_back(Make::choice_key(
-        {"accelerator.memory.mesh", "",
-         "Whether the vertex transform fetches the mesh for every sample, or has it in block RAMs of its core.",
-         this_project},
-        [](auto& config) -> auto& { return config.accelerator.memory_placement.mesh; }));
-    keys.push_back(Make::choice_key(
-        {"accelerator.memory.observation", "",
-         "Whether the observation reader fetches each sample's window, or the whole image is in block RAMs.",
-         this_project},
-        [](auto& config) -> auto& { return config.accelerator.memory_placement.observation; }));
-    keys.push_back(of_time(Make::integer_key(
-        {"accelerator.memory.observation_copies", "",
-         "How often an observation on the chip is there; the cores share the copies' ports.", this_project},
-        {1, 1024}, [](auto& config) -> auto& { return config.accelerator.memory_placement.observation_copies; })));
-    keys.push_back(Make::integer_key(
-        {"accelerator.memory.mesh_triangles", "triangles", "What a mesh on the chip has room for.", this_project},
-        {1, 1'048'576}, [](auto& config) -> auto& { return config.accelerator.memory_placement.mesh_triangles; }));
-    keys.push_back(Make::integer_key(
-        {"accelerator.memory.observation_width", "px",
-         "Width of the image that an observation on the chip has room for.", this_project},
-        {1, 4096}, [](auto& config) -> auto& { return config.accelerator.memory_placement.observation_width; }));
-    keys.push_back(Make::integer_key(
-        {"accelerator.memory.observation_height", "px",
-         "Height of the image that an observation on the chip has room for.", this_project},
-        {1, 4096}, [](auto& config) -> auto& { return config.accelerator.memory_placement.observation_height; }));
-    keys.push_back(address_key(
-        "mesh_address", "the mesh, 24 bytes per triangle",
-        [](auto& config) -> auto& { return config.accelerator.memory_placement.mesh_address; }));
-    keys.push_back(address_key(
-        "image_address", "the observation, row by row, 2 bytes per pixel",
-        [](auto& config) -> auto& { return config.accelerator.memory_placement.image_address; }));
-    keys.push_back(address_key(
-        "table_address", "the table of valid depths, 4 bytes per word, which only sweep_region touched reads",
-        [](auto& config) -> auto& { return config.accelerator.memory_placement.table_address; }));
-    keys.push_back(address_key(
-        "header_address", "the headers, 64 bytes per sample",
-        [](auto& config) -> auto& { return config.accelerator.memory_placement.header_address; }));
-    keys.push_back(address_key(
-        "result_address", "the results, 32 bytes per sample",
-        [](auto& config) -> auto& { return config.accelerator.memory_placement.result_address; }));
+    auto memory =
+        key_section(keys, "accelerator.memory", &FasterConfig::accelerator, &AcceleratorConfig::memory_placement);
+    memory.choice(
+        "mesh", "",
+        "Whether the vertex transform fetches the mesh for every sample, or has it in block RAMs of its core.",
+        this_project, &MemoryPlacement::mesh);
+    memory.choice("observation", "",
+                  "Whether the observation reader fetches each sample's window, or the whole image is in block RAMs.",
+                  this_project, &MemoryPlacement::observation);
+    memory.integer("observation_copies", "",
+                   "How often an observation on the chip is there; the cores share the copies' ports.", this_project,
+                   {1, 1024}, &MemoryPlacement::observation_copies);
+    keys.back().decides_time = true;
+    memory.integer("mesh_triangles", "triangles", "What a mesh on the chip has room for.", this_project, {1, 1'048'576},
+                   &MemoryPlacement::mesh_triangles);
+    memory.integer("observation_width", "px", "Width of the image that an observation on the chip has room for.",
+                   this_project, {1, 4096}, &MemoryPlacement::observation_width);
+    memory.integer("observation_height", "px", "Height of the image that an observation on the chip has room for.",
+                   this_project, {1, 4096}, &MemoryPlacement::observation_height);
+    auto const add_address = [&memory](char const* name, std::string const& what,
+                                       std::uint64_t MemoryPlacement::*address) {
+        memory.integer(name, "", "Address of " + what + ".", this_project, {0, most_address}, address);
+    };
+    add_address("mesh_address", "the mesh, 24 bytes per triangle", &MemoryPlacement::mesh_address);
+    add_address("image_address", "the observation, row by row, 2 bytes per pixel", &MemoryPlacement::image_address);
+    add_address("table_address", "the table of valid depths, 4 bytes per word, which only sweep_region touched reads",
+                &MemoryPlacement::table_address);
+    add_address("header_address", "the headers, 64 bytes per sample", &MemoryPlacement::header_address);
+    add_address("result_address", "the results, 32 bytes per sample", &MemoryPlacement::result_address);
     return keys;
 }
 

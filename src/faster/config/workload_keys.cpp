@@ -73,28 +73,22 @@ Key scene_objects_key() {
 }
 
 void add_target_keys(Keys& keys) {
-    keys.push_back(Make::make_key(
-        {"workload.object", "",
-         "The object whose pose is estimated: a built-in YCB class, or a mesh file (obj, ply, stl, "
-         "off; has a / or . in its name).",
-         "thesis 6"},
-        KeyKind::object, [](auto& config) -> auto& { return config.workload.target.object; }));
+    auto workload = key_section(keys, "workload", &FasterConfig::workload);
+    auto target = key_section(keys, "workload", &FasterConfig::workload, &WorkloadConfig::target);
+    target.of_kind("object", "",
+                   "The object whose pose is estimated: a built-in YCB class, or a mesh file (obj, ply, stl, "
+                   "off; has a / or . in its name).",
+                   "thesis 6", KeyKind::object, &SceneObjectConfig::object);
     keys.back().words = class_or_mesh();
-    keys.push_back(Make::integer_key(
-        {"workload.max_triangles", "triangles",
-         "The mesh is simplified to about this many triangles; 0 keeps it as it is.", "this project"},
-        {0, 10'000'000}, [](auto& config) -> auto& { return config.workload.max_triangles; }));
-    keys.push_back(Make::make_key(
-        {"workload.trace", "", "Folder of a stimulus trace that replaces the rest of the workload; empty for none.",
-         "docs/formats.md"},
-        KeyKind::path, [](auto& config) -> auto& { return config.workload.trace; }));
-    keys.push_back(Make::make_key(
-        {"workload.pose.translation_m", "m", "Origin of the object in the camera frame.", "this project"},
-        KeyKind::vector, [](auto& config) -> auto& { return config.workload.target.translation_m; }));
-    keys.push_back(Make::make_key(
-        {"workload.pose.rotation_deg", "degrees", "Rotation about the camera's x, then y, then z axis (R = Rz Ry Rx).",
-         "this project"},
-        KeyKind::vector, [](auto& config) -> auto& { return config.workload.target.rotation_deg; }));
+    workload.integer("max_triangles", "triangles",
+                     "The mesh is simplified to about this many triangles; 0 keeps it as it is.", "this project",
+                     {0, 10'000'000}, &WorkloadConfig::max_triangles);
+    workload.of_kind("trace", "", "Folder of a stimulus trace that replaces the rest of the workload; empty for none.",
+                     "docs/formats.md", KeyKind::path, &WorkloadConfig::trace);
+    target.of_kind("pose.translation_m", "m", "Origin of the object in the camera frame.", "this project",
+                   KeyKind::vector, &SceneObjectConfig::translation_m);
+    target.of_kind("pose.rotation_deg", "degrees", "Rotation about the camera's x, then y, then z axis (R = Rz Ry Rx).",
+                   "this project", KeyKind::vector, &SceneObjectConfig::rotation_deg);
 }
 
 void add_mesh_file_keys(Keys& keys) {
@@ -114,116 +108,78 @@ void add_mesh_file_keys(Keys& keys) {
 }
 
 void add_camera_keys(Keys& keys) {
-    keys.push_back(Make::integer_key(
-        {"workload.camera.width", "px", "Width of the image.", "this project"}, image_side,
-        [](auto& config) -> auto& { return config.workload.camera.width; }));
-    keys.push_back(Make::integer_key(
-        {"workload.camera.height", "px", "Height of the image.", "this project"}, image_side,
-        [](auto& config) -> auto& { return config.workload.camera.height; }));
-    keys.push_back(Make::number_key(
-        {"workload.camera.fx", "px", "Focal length along a row.", "this project"}, positive,
-        [](auto& config) -> auto& { return config.workload.camera.fx; }));
-    keys.push_back(Make::number_key(
-        {"workload.camera.fy", "px", "Focal length along a column.", "this project"}, positive,
-        [](auto& config) -> auto& { return config.workload.camera.fy; }));
-    keys.push_back(Make::number_key(
-        {"workload.camera.cx", "px", "Column of the optical axis.", "this project"}, {},
-        [](auto& config) -> auto& { return config.workload.camera.cx; }));
-    keys.push_back(Make::number_key(
-        {"workload.camera.cy", "px", "Row of the optical axis.", "this project"}, {},
-        [](auto& config) -> auto& { return config.workload.camera.cy; }));
+    auto camera = key_section(keys, "workload.camera", &FasterConfig::workload, &WorkloadConfig::camera);
+    camera.integer("width", "px", "Width of the image.", "this project", image_side, &Camera::width);
+    camera.integer("height", "px", "Height of the image.", "this project", image_side, &Camera::height);
+    camera.number("fx", "px", "Focal length along a row.", "this project", positive, &Camera::fx);
+    camera.number("fy", "px", "Focal length along a column.", "this project", positive, &Camera::fy);
+    camera.number("cx", "px", "Column of the optical axis.", "this project", {}, &Camera::cx);
+    camera.number("cy", "px", "Row of the optical axis.", "this project", {}, &Camera::cy);
 }
 
 void add_depth_image_keys(Keys& keys) {
-    keys.push_back(Make::make_key(
-        {"workload.scene.depth_image", "", "16-bit greyscale PNG or TIFF of the observed scene; empty to render one.",
-         "this project"},
-        KeyKind::path, [](auto& config) -> auto& { return config.workload.scene.depth_image; }));
-    keys.push_back(Make::number_key(
-        {"workload.scene.depth_unit_m", "m", "Metres per unit of the depth image.", "this project"}, positive,
-        [](auto& config) -> auto& { return config.workload.scene.depth_unit_m; }));
-    keys.push_back(Make::integer_key(
-        {"workload.scene.downscale", "", "Every n-th pixel of the scene is kept, and the camera divided by n.",
-         "this project"},
-        {1, 64}, [](auto& config) -> auto& { return config.workload.scene.downscale; }));
+    auto scene = key_section(keys, "workload.scene", &FasterConfig::workload, &WorkloadConfig::scene);
+    scene.of_kind("depth_image", "", "16-bit greyscale PNG or TIFF of the observed scene; empty to render one.",
+                  "this project", KeyKind::path, &SceneConfig::depth_image);
+    scene.number("depth_unit_m", "m", "Metres per unit of the depth image.", "this project", positive,
+                 &SceneConfig::depth_unit_m);
+    scene.integer("downscale", "", "Every n-th pixel of the scene is kept, and the camera divided by n.",
+                  "this project", {1, 64}, &SceneConfig::downscale);
 }
 
 void add_rendered_scene_keys(Keys& keys) {
-    keys.push_back(Make::boolean_key(
-        {"workload.scene.table", "", "Whether a rendered scene has a table.", "this project"},
-        [](auto& config) -> auto& { return config.workload.scene.table; }));
-    keys.push_back(Make::number_key(
-        {"workload.scene.table_height_m", "m", "Camera y (down) of the table at x = 0 and the object's z.",
-         "this project"},
-        {}, [](auto& config) -> auto& { return config.workload.scene.table_height_m; }));
-    keys.push_back(Make::number_key(
-        {"workload.scene.table_tilt_deg", "degrees", "Angle by which the camera looks down on the table.",
-         "this project"},
-        {0, 90}, [](auto& config) -> auto& { return config.workload.scene.table_tilt_deg; }));
+    auto scene = key_section(keys, "workload.scene", &FasterConfig::workload, &WorkloadConfig::scene);
+    scene.boolean("table", "", "Whether a rendered scene has a table.", "this project", &SceneConfig::table);
+    scene.number("table_height_m", "m", "Camera y (down) of the table at x = 0 and the object's z.", "this project", {},
+                 &SceneConfig::table_height_m);
+    scene.number("table_tilt_deg", "degrees", "Angle by which the camera looks down on the table.", "this project",
+                 {0, 90}, &SceneConfig::table_tilt_deg);
     keys.push_back(scene_objects_key());
-    keys.push_back(Make::integer_key(
-        {"workload.scene.seed", "", "Seed of the sensor noise.", "this project"}, any_seed,
-        [](auto& config) -> auto& { return config.workload.scene.seed; }));
+    scene.integer("seed", "", "Seed of the sensor noise.", "this project", any_seed, &SceneConfig::seed);
 }
 
 void add_noise_keys(Keys& keys) {
-    keys.push_back(Make::boolean_key(
-        {"workload.scene.noise.enabled", "", "Whether a rendered scene gets sensor noise.", noise_source},
-        [](auto& config) -> auto& { return config.workload.scene.noise.enabled; }));
-    keys.push_back(Make::number_key(
-        {"workload.scene.noise.axial_base_m", "m", "Standard deviation of depth at axial_offset_m.", noise_source},
-        not_negative, [](auto& config) -> auto& { return config.workload.scene.noise.axial_base_m; }));
-    keys.push_back(Make::number_key(
-        {"workload.scene.noise.axial_quadratic", "1/m",
-         "Growth of the standard deviation with the square of z - axial_offset_m.", noise_source},
-        not_negative, [](auto& config) -> auto& { return config.workload.scene.noise.axial_quadratic; }));
-    keys.push_back(Make::number_key(
-        {"workload.scene.noise.axial_offset_m", "m", "Depth of least noise.", noise_source}, not_negative,
-        [](auto& config) -> auto& { return config.workload.scene.noise.axial_offset_m; }));
-    keys.push_back(Make::number_key(
-        {"workload.scene.noise.edge_dropout", "probability", "Chance of a missing reading at a depth edge.",
-         "this project"},
-        probability, [](auto& config) -> auto& { return config.workload.scene.noise.edge_dropout; }));
-    keys.push_back(Make::number_key(
-        {"workload.scene.noise.edge_step_m", "m", "Depth difference of neighbouring pixels that makes a depth edge.",
-         "this project"},
-        positive, [](auto& config) -> auto& { return config.workload.scene.noise.edge_step_m; }));
-    keys.push_back(Make::number_key(
-        {"workload.scene.noise.random_dropout", "probability", "Chance of a missing reading anywhere.", "this project"},
-        probability, [](auto& config) -> auto& { return config.workload.scene.noise.random_dropout; }));
+    auto noise =
+        key_section(keys, "workload.scene.noise", &FasterConfig::workload, &WorkloadConfig::scene, &SceneConfig::noise);
+    noise.boolean("enabled", "", "Whether a rendered scene gets sensor noise.", noise_source, &NoiseConfig::enabled);
+    noise.number("axial_base_m", "m", "Standard deviation of depth at axial_offset_m.", noise_source, not_negative,
+                 &NoiseConfig::axial_base_m);
+    noise.number("axial_quadratic", "1/m", "Growth of the standard deviation with the square of z - axial_offset_m.",
+                 noise_source, not_negative, &NoiseConfig::axial_quadratic);
+    noise.number("axial_offset_m", "m", "Depth of least noise.", noise_source, not_negative,
+                 &NoiseConfig::axial_offset_m);
+    noise.number("edge_dropout", "probability", "Chance of a missing reading at a depth edge.", "this project",
+                 probability, &NoiseConfig::edge_dropout);
+    noise.number("edge_step_m", "m", "Depth difference of neighbouring pixels that makes a depth edge.", "this project",
+                 positive, &NoiseConfig::edge_step_m);
+    noise.number("random_dropout", "probability", "Chance of a missing reading anywhere.", "this project", probability,
+                 &NoiseConfig::random_dropout);
 }
 
 void add_observed_edges_keys(Keys& keys) {
-    keys.push_back(Make::integer_key(
-        {"workload.observed_edges.neighbourhood", "px", "Side n of the n x n neighbourhood of eq. 2.2; odd.",
-         "thesis eq. 2.2"},
-        {3, 101}, [](auto& config) -> auto& { return config.workload.observed_edges.neighbourhood; }));
-    keys.push_back(Make::number_key(
-        {"workload.observed_edges.threshold", "", "A pixel whose c(u, v) is above it is an observed edge.",
-         "thesis eq. 2.2"},
-        not_negative, [](auto& config) -> auto& { return config.workload.observed_edges.threshold; }));
+    auto observed_edges =
+        key_section(keys, "workload.observed_edges", &FasterConfig::workload, &WorkloadConfig::observed_edges);
+    observed_edges.integer("neighbourhood", "px", "Side n of the n x n neighbourhood of eq. 2.2; odd.",
+                           "thesis eq. 2.2", {3, 101}, &ObservedEdgesConfig::neighbourhood);
+    observed_edges.number("threshold", "", "A pixel whose c(u, v) is above it is an observed edge.", "thesis eq. 2.2",
+                          not_negative, &ObservedEdgesConfig::threshold);
 }
 
 void add_samples_keys(Keys& keys) {
-    keys.push_back(Make::integer_key(
-        {"workload.samples.count", "samples", "Pose samples of one iteration.", "thesis 4.2.1"}, {0, 1'000'000},
-        [](auto& config) -> auto& { return config.workload.samples.count; }));
-    keys.push_back(Make::number_key(
-        {"workload.samples.translation_sigma_m", "m",
-         "Standard deviation of the samples around the true translation, per axis.", "this project"},
-        not_negative, [](auto& config) -> auto& { return config.workload.samples.translation_sigma_m; }));
-    keys.push_back(Make::number_key(
-        {"workload.samples.rotation_sigma_deg", "degrees",
-         "Standard deviation of the samples' rotation angle about a random axis.", "this project"},
-        not_negative, [](auto& config) -> auto& { return config.workload.samples.rotation_sigma_deg; }));
-    keys.push_back(Make::integer_key(
-        {"workload.samples.seed", "", "Seed of the pose samples.", "this project"}, any_seed,
-        [](auto& config) -> auto& { return config.workload.samples.seed; }));
-    keys.push_back(Make::make_key(
-        {"workload.samples.poses", "",
-         "Table of poses (CSV: R, t_m or t) that replaces the other keys of workload.samples; empty to draw them.",
-         "this project"},
-        KeyKind::path, [](auto& config) -> auto& { return config.workload.samples.poses; }));
+    auto samples = key_section(keys, "workload.samples", &FasterConfig::workload, &WorkloadConfig::samples);
+    samples.integer("count", "samples", "Pose samples of one iteration.", "thesis 4.2.1", {0, 1'000'000},
+                    &SamplesConfig::count);
+    samples.number("translation_sigma_m", "m",
+                   "Standard deviation of the samples around the true translation, per axis.", "this project",
+                   not_negative, &SamplesConfig::translation_sigma_m);
+    samples.number("rotation_sigma_deg", "degrees",
+                   "Standard deviation of the samples' rotation angle about a random axis.", "this project",
+                   not_negative, &SamplesConfig::rotation_sigma_deg);
+    samples.integer("seed", "", "Seed of the pose samples.", "this project", any_seed, &SamplesConfig::seed);
+    samples.of_kind(
+        "poses", "",
+        "Table of poses (CSV: R, t_m or t) that replaces the other keys of workload.samples; empty to draw them.",
+        "this project", KeyKind::path, &SamplesConfig::poses);
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 
 #include "dataflow/run/config/choice_names.hpp"
-#include "dataflow/run/config/key.hpp"
+#include "dataflow/run/config/keys.hpp"
 
 namespace dataflow {
 
@@ -81,6 +82,61 @@ template <class Config> struct KeyMaker {
         return make_key(std::move(text), KeyKind::boolean, field);
     }
 };
+
+template <class Whole, class Member> auto& member_of(Whole& whole, Member member) { return whole.*member; }
+
+/// A member of a member, and so on: each of `deeper` is one of what the one before it leads to.
+template <class Whole, class Member, class... Members> auto& member_of(Whole& whole, Member member, Members... deeper) {
+    return member_of(whole.*member, deeper...);
+}
+
+/// Adds the keys of one part of a configuration, each of which is a member of the part's class:
+/// `noise.number("sigma", "m", "Deviation of a reading.", "measured", {0, 1}, &Noise::sigma);`. See key_section().
+template <class Config, class Part> class KeySection {
+    using Make = KeyMaker<Config>;
+    using Text = std::string const&;
+
+  public:
+    KeySection(Keys& keys, std::string name, Part part) : keys_(keys), name_(std::move(name)), part_(part) {}
+
+    template <class Member>
+    void integer(Text name, Text unit, Text meaning, Text source, IntegerRange range, Member member) {
+        keys_.push_back(Make::integer_key(text(name, unit, meaning, source), range, field(member)));
+    }
+    template <class Member>
+    void number(Text name, Text unit, Text meaning, Text source, NumberRange range, Member member) {
+        keys_.push_back(Make::number_key(text(name, unit, meaning, source), range, field(member)));
+    }
+    template <class Member> void choice(Text name, Text unit, Text meaning, Text source, Member member) {
+        keys_.push_back(Make::choice_key(text(name, unit, meaning, source), field(member)));
+    }
+    template <class Member> void boolean(Text name, Text unit, Text meaning, Text source, Member member) {
+        keys_.push_back(Make::boolean_key(text(name, unit, meaning, source), field(member)));
+    }
+    template <class Member> void of_kind(Text name, Text unit, Text meaning, Text source, KeyKind kind, Member member) {
+        keys_.push_back(Make::make_key(text(name, unit, meaning, source), kind, field(member)));
+    }
+
+  private:
+    KeyText text(Text name, Text unit, Text meaning, Text source) const {
+        return {name_ + '.' + name, unit, meaning, source};
+    }
+    template <class Member> auto field(Member member) const {
+        return [part = part_, member](auto& config) -> decltype(auto) { return part(config).*member; };
+    }
+
+    Keys& keys_;
+    std::string name_;
+    Part part_;
+};
+
+/// For keys whose names begin with `name` and a dot; they go to `keys`. The members lead from the `Config` of KeyMaker
+/// to the part: `auto noise = key_section(keys, "sensor.noise", &ToyConfig::sensor, &Sensor::noise);`.
+template <class Config, class Member, class... Members>
+auto key_section(Keys& keys, std::string name, Member Config::*first, Members... deeper) {
+    auto part = [first, deeper...](auto& config) -> decltype(auto) { return member_of(config, first, deeper...); };
+    return KeySection<Config, decltype(part)>(keys, std::move(name), part);
+}
 
 /// A key that no figure depends on.
 inline Key of_no_figure(Key key) {

@@ -12,7 +12,7 @@
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/design.hpp"
-#include "dataflow/run/config/layered_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/workload_source.hpp"

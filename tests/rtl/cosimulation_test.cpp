@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "dataflow/run/config/layered_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
 #include "dataflow/run/figures/table_rows.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "dataflow/run/config/layered_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
 #include "dataflow/tools/sweeps/point_identity.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"

@@ -19,7 +19,7 @@
 #include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
-#include "dataflow/run/config/layered_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
 #include "dataflow/tools/sweeps/journal_rows.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/png_image.hpp"

@@ -14,7 +14,6 @@
 #include "dataflow/run/config/key_faults.hpp"
 #include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/keys.hpp"
-#include "dataflow/run/config/layered_config.hpp"
 #include "dataflow/run/config/value_reader.hpp"
 
 namespace dataflow {
@@ -103,6 +102,19 @@ std::vector<std::string> apply_value(Key const& key, std::string const& value, s
     return messages;
 }
 
+std::vector<std::string> apply_all(std::vector<std::filesystem::path> const& files,
+                                   std::vector<std::string> const& overrides, LoadedConfig& loaded) {
+    std::vector<std::string> complaints;
+    auto const note = [&complaints](std::vector<std::string> const& more) {
+        complaints.insert(complaints.end(), more.begin(), more.end());
+    };
+    for (std::filesystem::path const& file : files)
+        note(apply_file(file, loaded));
+    for (std::string const& setting : overrides)
+        note(apply_override(setting, loaded));
+    return complaints;
+}
+
 }  // namespace
 
 std::vector<std::string> apply_file(std::filesystem::path const& path, LoadedConfig& loaded) {
@@ -141,6 +153,23 @@ std::vector<std::string> apply_override(std::string const& setting, LoadedConfig
 
 LoadedConfig load_config(std::filesystem::path const& path, std::vector<std::string> const& overrides) {
     return layered_config({path}, overrides);
+}
+
+LoadedConfig layered_config(std::vector<std::filesystem::path> const& files,
+                            std::vector<std::string> const& overrides) {
+    LoadedConfig loaded;
+    std::vector<std::string> complaints = apply_all(files, overrides, loaded);
+    if (loaded.origins.is_explicit(architecture_key_name)) {
+        // A preset lies below files and command line, and any may name it: it is known only when all have been read.
+        auto const architecture = std::get<std::string>(find_key(architecture_key_name)->read(loaded.config));
+        loaded = {};
+        throw_first(apply_preset(architecture, loaded));
+        complaints = apply_all(files, overrides, loaded);
+    }
+    throw_first(complaints);
+    design().require_keys_of_parts(loaded.config);
+    throw_first(cross_check(loaded));
+    return loaded;
 }
 
 LoadedConfig load_preset(std::string const& name) {

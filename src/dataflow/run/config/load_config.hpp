@@ -48,6 +48,10 @@ struct LoadedConfig {
 /// that contradict each other. The message is the first fault, and how many more there are.
 LoadedConfig load_config(std::filesystem::path const& path, std::vector<std::string> const& overrides = {});
 
+/// load_config() of several files: a later one wins over an earlier one, `overrides` win over all. No file: defaults
+/// and preset.
+LoadedConfig layered_config(std::vector<std::filesystem::path> const& files, std::vector<std::string> const& overrides);
+
 /// What a preset alone sets; everything else has its default. `name`: one of preset_names().
 LoadedConfig load_preset(std::string const& name);
 

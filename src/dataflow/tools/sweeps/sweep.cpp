@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "dataflow/base/input_error.hpp"
-#include "dataflow/run/config/layered_config.hpp"
+#include "dataflow/run/config/load_config.hpp"
 
 namespace dataflow::sweeps {
 

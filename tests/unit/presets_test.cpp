@@ -1,5 +1,3 @@
-#include "dataflow/run/config/presets.hpp"
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "dataflow/run/config/presets.hpp"
+#include "dataflow/run/config/design.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace faster {

@@ -6,6 +6,8 @@
 
 namespace dataflow {
 
+RunConfig::RunConfig() : design_(design().default_config()) {}
+
 void Design::require_keys_of_parts(RunConfig const& /*config*/) const {}
 std::vector<std::string> Design::complaints(LoadedConfig const& /*loaded*/) const { return {}; }
 
@@ -37,6 +39,15 @@ std::vector<std::filesystem::path> Design::files_of(std::filesystem::path const&
             files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
+}
+
+std::vector<std::string> preset_names() {
+    std::vector<std::string> names;
+    for (Preset const& preset : design().presets())
+        names.push_back(preset.name);
+    std::string const first = design().name();
+    std::stable_partition(names.begin(), names.end(), [&first](std::string const& name) { return name == first; });
+    return names;
 }
 
 std::string const& cores_are() {

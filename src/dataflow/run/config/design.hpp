@@ -9,9 +9,14 @@
 #include "dataflow/run/config/idle_keys.hpp"
 #include "dataflow/run/config/key.hpp"
 #include "dataflow/run/config/load_config.hpp"
-#include "dataflow/run/config/presets.hpp"
 
 namespace dataflow {
+
+/// A design that `accelerator.architecture` names: what a file of configs/architectures says.
+struct Preset {
+    std::string name;  ///< the file's, without .yaml
+    std::string text;  ///< YAML
+};
 
 /// What all tools of the kernel ask a design. A program has one design: whoever builds the program defines design().
 class Design {
@@ -54,6 +59,12 @@ class Design {
 
 /// The design of this program.
 Design const& design();
+
+/// Names of the design's presets; the one that all others are compared with first, which has the design's own name.
+std::vector<std::string> preset_names();
+
+/// Where messages say that a preset's keys stand.
+inline std::string place_of_preset(std::string const& name) { return "configs/architectures/" + name + ".yaml"; }
 
 /// What reports call the cores of this program's design.
 std::string const& cores_are();

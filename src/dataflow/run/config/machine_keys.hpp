@@ -2,10 +2,10 @@
 #include <string>
 
 #include "dataflow/core/machine/module_description.hpp"
+#include "dataflow/run/config/design.hpp"
 #include "dataflow/run/config/key_builders.hpp"
 #include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/keys.hpp"
-#include "dataflow/run/config/presets.hpp"
 
 namespace dataflow {
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "dataflow/base/program_name.hpp"
-#include "dataflow/run/config/configuration_hash.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/tools/budgets/check_files.hpp"
 #include "dataflow/tools/budgets/check_result.hpp"
 #include "dataflow/tools/budgets/check_text.hpp"

@@ -10,7 +10,6 @@
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/simulated_run.hpp"
-#include "dataflow/run/config/configuration_hash.hpp"
 #include "dataflow/run/config/load_config.hpp"
 #include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/tools/budgets/figures.hpp"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dataflow/base/fnv1a.hpp"
 #include "dataflow/run/config/idle_keys.hpp"
 #include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/keys.hpp"
@@ -76,5 +77,15 @@ std::string to_yaml(std::vector<ResolvedKey> const& keys) {
     }
     return text;
 }
+
+std::string configuration_hash(std::vector<ResolvedKey> const& keys) {
+    std::string lines;
+    for (ResolvedKey const& key : keys)
+        if (decides_figures(key.key))
+            lines += key.key + "=" + json_text(key.value) + "\n";
+    return hash_of(lines);
+}
+
+std::string hash_of(std::string_view text) { return "fnv1a64:" + fnv1a_digits(text); }
 
 }  // namespace dataflow

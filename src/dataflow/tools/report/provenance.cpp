@@ -5,7 +5,7 @@
 #include "dataflow/base/markup_text.hpp"
 #include "dataflow/base/printable.hpp"
 #include "dataflow/base/program_name.hpp"
-#include "dataflow/run/config/configuration_hash.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
 
 namespace dataflow::report {
 

@@ -2,7 +2,7 @@
 
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/json.hpp"
-#include "dataflow/run/config/configuration_hash.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/tools/report/html/fill_page.hpp"
 #include "dataflow/tools/report/provenance.hpp"
 #include "dataflow/tools/sweeps/page.hpp"

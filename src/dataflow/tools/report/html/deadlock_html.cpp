@@ -4,9 +4,9 @@
 
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/program_name.hpp"
-#include "dataflow/run/config/configuration_hash.hpp"
 #include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/keys.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/tools/report/html/fill_page.hpp"
 #include "dataflow/tools/report/html/graph_data.hpp"
 #include "dataflow/tools/report/html/page.hpp"

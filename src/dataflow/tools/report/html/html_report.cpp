@@ -1,7 +1,7 @@
 #include "dataflow/tools/report/html/html_report.hpp"
 
 #include "dataflow/base/files/json_file.hpp"
-#include "dataflow/run/config/configuration_hash.hpp"
+#include "dataflow/run/config/resolved_config.hpp"
 #include "dataflow/run/figures/table_rows.hpp"
 #include "dataflow/tools/report/critical_path_report.hpp"
 #include "dataflow/tools/report/diagnosis_text.hpp"

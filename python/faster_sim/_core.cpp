@@ -25,7 +25,6 @@
 #include "dataflow/run/events/retimed_config.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/retime_many.hpp"
-#include "dataflow/run/replay/retime_with_path.hpp"
 #include "dataflow/run/replay/scripted_run.hpp"
 #include "dataflow/run/replay/sensitivities.hpp"
 #include "dataflow/tools/report/csv.hpp"

@@ -26,7 +26,6 @@
 #include "dataflow/run/events/retimed_config.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "dataflow/run/replay/retime_many.hpp"
-#include "dataflow/run/replay/retime_with_path.hpp"
 #include "dataflow/tools/compare/compare.hpp"
 #include "dataflow/tools/compare/comparison_report.hpp"
 #include "dataflow/tools/compare/read_run.hpp"

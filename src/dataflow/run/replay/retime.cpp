@@ -8,6 +8,7 @@
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/run/replay/collect.hpp"
 #include "dataflow/run/replay/core_variant.hpp"
+#include "dataflow/run/replay/critical_path_of.hpp"
 #include "dataflow/run/replay/outcomes.hpp"
 #include "dataflow/run/replay/path_sweep.hpp"
 #include "dataflow/run/replay/plain_reader.hpp"
@@ -110,6 +111,19 @@ RunStatistics retime(ScriptedRun const& run, Machine const& machine, std::size_t
     // Since when a process has waited is not always known where a script went on with operations of its left over. Only
     // reports of deadlocks tell.
     return statistics.deadlocked() ? retime_unscripted(run, machine) : statistics;
+}
+
+RunStatistics retime_with_path(ScriptedRun const& scripted, Machine const& machine) {
+    if (scripted.run().memory)
+        return retime_together(scripted, machine, true);
+    RunStatistics run = retime(scripted, machine);
+    if (run.deadlocked())
+        return run;
+    CoreOptions options;
+    options.leave_trails = true;
+    Cores const cores = retime_cores(scripted, machine, {run.last_core()}, options);
+    run.critical_path = CriticalPath{run.last_core(), critical_path_of(*cores.front(), machine)};
+    return run;
 }
 
 RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine) {

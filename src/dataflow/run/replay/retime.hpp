@@ -17,6 +17,8 @@ RunStatistics retime(RecordedRun const& run, Machine const& machine);
 /// The figures on another machine of a run that is retimed many times. On several threads it takes less time, and more
 /// processor time. Behind an external memory, which all cores share, there is one.
 RunStatistics retime(ScriptedRun const& run, Machine const& machine, std::size_t jobs = 1);
+/// retime(), and the critical path among the figures unless the run deadlocks.
+RunStatistics retime_with_path(ScriptedRun const& run, Machine const& machine);
 /// Retimes without following scripts. Several times as slow.
 RunStatistics retime_unscripted(ScriptedRun const& run, Machine const& machine);
 

@@ -14,7 +14,6 @@
 #include "dataflow/run/figures/table_rows.hpp"
 #include "dataflow/run/replay/outcomes.hpp"
 #include "dataflow/run/replay/retime.hpp"
-#include "dataflow/run/replay/retime_with_path.hpp"
 #include "dataflow/run/replay/sensitivities.hpp"
 #include "dataflow/tools/explore/replayed_timeline.hpp"
 #include "dataflow/tools/report/critical_path_report.hpp"

@@ -6,42 +6,53 @@
 namespace dataflow {
 namespace {
 
-bool is_open(IntegerRange const& range) { return range.max == std::numeric_limits<std::int64_t>::max(); }
+/// What is accepted, in both wordings of it.
+struct Accepted {
+    std::string expectation;  ///< to follow "expected"
+    std::string range;        ///< as a table has it
+};
 
-std::string expected_integer(IntegerRange const& range) {
-    if (is_open(range)) {
-        return fmt::format("an integer, {} or more", range.min);
-    }
-    return fmt::format("an integer from {} to {}", range.min, range.max);
+Accepted accepted(IntegerRange const& range) {
+    if (range.max == std::numeric_limits<std::int64_t>::max())
+        return {fmt::format("an integer, {} or more", range.min), fmt::format(">= {}", range.min)};
+    return {fmt::format("an integer from {} to {}", range.min, range.max), fmt::format("{}..{}", range.min, range.max)};
 }
 
-std::string expected_number(NumberRange const& range) {
-    if (std::isinf(range.min)) {
-        return "a number";
-    }
-    if (std::isinf(range.max)) {
-        return range.excludes_min ? fmt::format("a number above {}", range.min)
-                                  : fmt::format("a number, {} or more", range.min);
-    }
+Accepted accepted(NumberRange const& range) {
+    if (std::isinf(range.min))
+        return {"a number", "any number"};
+    if (std::isinf(range.max) && range.excludes_min)
+        return {fmt::format("a number above {}", range.min), fmt::format("> {}", range.min)};
+    if (std::isinf(range.max))
+        return {fmt::format("a number, {} or more", range.min), fmt::format(">= {}", range.min)};
     if (range.excludes_min)
-        return fmt::format("a number above {}, up to {}", range.min, range.max);
-    return fmt::format("a number from {} to {}", range.min, range.max);
+        return {fmt::format("a number above {}, up to {}", range.min, range.max),
+                fmt::format("> {}, up to {}", range.min, range.max)};
+    return {fmt::format("a number from {} to {}", range.min, range.max), fmt::format("{}..{}", range.min, range.max)};
 }
 
-std::string integer_range(IntegerRange const& range) {
-    return is_open(range) ? fmt::format(">= {}", range.min) : fmt::format("{}..{}", range.min, range.max);
-}
-
-std::string number_range(NumberRange const& range) {
-    if (std::isinf(range.min)) {
-        return "any number";
+Accepted accepted(Key const& key) {
+    switch (key.kind) {
+        case KeyKind::boolean:
+            return {"true or false", "true, false"};
+        case KeyKind::integer:
+            return accepted(key.integers);
+        case KeyKind::number:
+            return accepted(key.numbers);
+        case KeyKind::choice: {
+            std::string const choices = fmt::format("{}", fmt::join(key.choices, ", "));
+            return {"one of " + choices, choices};
+        }
+        case KeyKind::path:
+            return {"a path", "path"};
+        case KeyKind::object:
+            return {key.words.expectation, key.words.range};
+        case KeyKind::vector:
+            return {"a list of 3 numbers", "3 numbers"};
+        case KeyKind::items:
+            return {"a list of maps", "list of maps"};
     }
-    if (std::isinf(range.max)) {
-        return fmt::format("{} {}", range.excludes_min ? ">" : ">=", range.min);
-    }
-    if (range.excludes_min)
-        return fmt::format("> {}, up to {}", range.min, range.max);
-    return fmt::format("{}..{}", range.min, range.max);
+    return {};
 }
 
 }  // namespace
@@ -54,49 +65,9 @@ Key key_of(ItemField const& field) {
     return key;
 }
 
-std::string expectation(Key const& key) {
-    switch (key.kind) {
-        case KeyKind::boolean:
-            return "true or false";
-        case KeyKind::integer:
-            return expected_integer(key.integers);
-        case KeyKind::number:
-            return expected_number(key.numbers);
-        case KeyKind::choice:
-            return fmt::format("one of {}", fmt::join(key.choices, ", "));
-        case KeyKind::path:
-            return "a path";
-        case KeyKind::object:
-            return key.words.expectation;
-        case KeyKind::vector:
-            return "a list of 3 numbers";
-        case KeyKind::items:
-            return "a list of maps";
-    }
-    return {};
-}
+std::string expectation(Key const& key) { return accepted(key).expectation; }
 
-std::string range_text(Key const& key) {
-    switch (key.kind) {
-        case KeyKind::boolean:
-            return "true, false";
-        case KeyKind::integer:
-            return integer_range(key.integers);
-        case KeyKind::number:
-            return number_range(key.numbers);
-        case KeyKind::choice:
-            return fmt::format("{}", fmt::join(key.choices, ", "));
-        case KeyKind::path:
-            return "path";
-        case KeyKind::object:
-            return key.words.range;
-        case KeyKind::vector:
-            return "3 numbers";
-        case KeyKind::items:
-            return "list of maps";
-    }
-    return {};
-}
+std::string range_text(Key const& key) { return accepted(key).range; }
 
 bool accepts(IntegerRange const& range, std::int64_t value) { return value >= range.min && value <= range.max; }
 

@@ -99,7 +99,7 @@ TEST_CASE("Where nobody can go on any more, no further samples are read", "[repl
     for (bool const scripted : {false, true}) {
         CAPTURE(scripted);
         Watched const watched(run);
-        replay::NoScripts const none;
+        replay::ScriptSource const none;
         replay::ScriptSource const& source = scripted ? static_cast<replay::ScriptSource const&>(watched) : none;
         Asked const stuck = replay_all(source, run, deadlocking(recorded));
         CHECK(stuck.is_stuck);

@@ -20,17 +20,8 @@ class FormedSamples : public ScriptSource {
     static std::shared_ptr<FormedSamples const> of(ScriptedRun const& run, timing::PhraseCore::Form const& form,
                                                    Machine const& machine);
 
-    timing::PhraseBook const& book() const override { return book_; }
-    std::size_t size() const override { return samples_.size(); }
-    ScriptedSample const& operator[](std::size_t sample) const override { return samples_[sample]; }
-    timing::PhraseCore::Form const& form() const override { return form_; }
-
   private:
-    explicit FormedSamples(timing::PhraseCore::Form form) : form_(std::move(form)) {}
-
-    timing::PhraseCore::Form form_;
-    timing::PhraseBook book_;
-    std::vector<ScriptedSample> samples_;
+    explicit FormedSamples(timing::PhraseCore::Form form) { form_ = std::move(form); }
 };
 
 /// The forms that were asked for last.

@@ -45,7 +45,7 @@ Replay::Plain plain_reader(ScriptedRun const& run) {
 
 Cores retime_cores(ScriptedRun const& run, Following following, Machine const& machine,
                    std::vector<std::size_t> const& numbers, CoreOptions const& options) {
-    static NoScripts const no_scripts;
+    static ScriptSource const no_scripts;
     std::shared_ptr<timing::Answers> const answers = timing::make_answers();
     Cores cores;
     std::shared_ptr<ScriptSource const> samples;  // the same for all: cores are alike

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/phrases/phrase_cutter.hpp"
@@ -74,7 +75,7 @@ ScriptedRun::ScriptedRun(RecordedRun const& run, Uses uses, std::size_t jobs)
 }
 
 std::shared_ptr<ScriptSource const> ScriptedRun::samples_for(timing::PhraseCore& core, Machine const& machine) const {
-    timing::PhraseCore::Form const form = forms_ ? core.form() : as_told_;
+    timing::PhraseCore::Form const form = forms_ ? core.form() : form_;
     if (!form.empty())
         if (std::shared_ptr<FormedSamples const> formed = forms_->find(*this, form, machine))
             return formed;

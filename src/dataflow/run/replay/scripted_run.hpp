@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 #include "dataflow/run/replay/formed_samples.hpp"
 #include "dataflow/run/replay/recorded_run.hpp"
@@ -9,9 +8,9 @@
 
 namespace dataflow::replay {
 
-/// A recorded run made ready for retiming: its samples are decoded once. Takes 4 bytes per phrase and 8 per operation,
-/// and as much for each form that cores have; samples beyond a quarter of a gigabyte are left to the tape. The run must
-/// outlive it.
+/// A recorded run made ready for retiming: its samples, as they were told, are decoded once. Takes 4 bytes per phrase
+/// and 8 per operation, and as much for each form that cores have; samples beyond a quarter of a gigabyte are left to
+/// the tape. The run must outlive it.
 class ScriptedRun : public ScriptSource {
   public:
     /// For how many retimings: to put samples into another form takes as long as some of them.
@@ -23,20 +22,12 @@ class ScriptedRun : public ScriptSource {
     RecordedRun const& run() const { return *run_; }
     timing::Lead const& lead() const { return run_->lead; }
     std::size_t jobs() const { return jobs_; }
-    // Samples as they were told.
-    timing::PhraseBook const& book() const override { return book_; }
-    std::size_t size() const override { return samples_.size(); }
-    ScriptedSample const& operator[](std::size_t sample) const override { return samples_[sample]; }
-    timing::PhraseCore::Form const& form() const override { return as_told_; }
     /// Those that a core of a machine, which follows the lead, goes through most quickly. This must outlive them.
     std::shared_ptr<ScriptSource const> samples_for(timing::PhraseCore& core, Machine const& machine) const;
 
   private:
     RecordedRun const* run_;
     std::size_t jobs_;
-    timing::PhraseCore::Form as_told_;
-    timing::PhraseBook book_;
-    std::vector<ScriptedSample> samples_;
     std::unique_ptr<KnownForms> forms_;  ///< null: none but as they were told
 };
 

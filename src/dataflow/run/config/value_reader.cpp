@@ -32,11 +32,12 @@ class ValueReader {
     std::optional<KeyValue> read(Key const& key, YAML::Node const& node) const {
         switch (key.kind) {
             case KeyKind::boolean:
-                return boolean(key, node);
+                return plain(key, node, parse_boolean, [](bool) { return true; });
             case KeyKind::integer:
-                return integer(key, node);
+                return plain(key, node, parse_integer,
+                             [&key](std::int64_t value) { return accepts(key.integers, value); });
             case KeyKind::number:
-                return number(key, node);
+                return plain(key, node, parse_number, [&key](double value) { return accepts(key.numbers, value); });
             case KeyKind::choice:
                 return choice(key, node);
             case KeyKind::path:
@@ -85,30 +86,14 @@ class ValueReader {
         return {fmt::format("{}[{}]", name_, index), std::max(line_of(node, line_), line_), folder_, faults_};
     }
 
-    std::optional<KeyValue> boolean(Key const& key, YAML::Node const& node) const {
-        auto const value = is_plain_scalar(node) ? parse_boolean(node.Scalar()) : std::nullopt;
-        if (!value) {
+    template <class Parse, class Accepts>
+    std::optional<KeyValue> plain(Key const& key, YAML::Node const& node, Parse parse, Accepts is_accepted) const {
+        auto const value = is_plain_scalar(node) ? parse(node.Scalar()) : std::nullopt;
+        if (!value || !is_accepted(*value)) {
             expected(node, expectation(key));
+            return std::nullopt;
         }
         return held(value);
-    }
-
-    std::optional<KeyValue> integer(Key const& key, YAML::Node const& node) const {
-        auto const value = is_plain_scalar(node) ? parse_integer(node.Scalar()) : std::nullopt;
-        if (!value || !accepts(key.integers, *value)) {
-            expected(node, expectation(key));
-            return std::nullopt;
-        }
-        return value;
-    }
-
-    std::optional<KeyValue> number(Key const& key, YAML::Node const& node) const {
-        auto const value = is_plain_scalar(node) ? parse_number(node.Scalar()) : std::nullopt;
-        if (!value || !accepts(key.numbers, *value)) {
-            expected(node, expectation(key));
-            return std::nullopt;
-        }
-        return value;
     }
 
     std::optional<KeyValue> choice(Key const& key, YAML::Node const& node) const {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "dataflow/base/printable.hpp"
+#include "dataflow/base/text_lines.hpp"
 
 namespace dataflow {
 
@@ -25,10 +26,7 @@ inline std::string csv_cell(std::string_view value) {
         text.insert(0, "'");
     if (text.find_first_of(",\"") == std::string::npos)
         return text;
-    std::string cell = "\"";
-    for (char const letter : text)
-        cell += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return cell + '"';
+    return '"' + with_replaced(text, {{'"', "\"\""}}) + '"';
 }
 
 }  // namespace dataflow

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <initializer_list>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -22,6 +23,22 @@ inline std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r\n";
     std::size_t const first = std::min(text.find_first_not_of(blanks), text.size());
     return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+}
+
+/// A text in which what stands beside a letter takes its place.
+inline std::string with_replaced(std::string_view text,
+                                 std::initializer_list<std::pair<char, std::string_view>> replacements) {
+    std::string replaced;
+    replaced.reserve(text.size());
+    for (char const letter : text) {
+        auto const* const found = std::find_if(replacements.begin(), replacements.end(),
+                                               [letter](auto const& pair) { return pair.first == letter; });
+        if (found == replacements.end())
+            replaced += letter;
+        else
+            replaced += found->second;
+    }
+    return replaced;
 }
 
 /// The text behind the mark that some editors put before UTF-8.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "dataflow/base/text_lines.hpp"
+
 namespace dataflow {
 
 namespace {
@@ -21,10 +23,7 @@ std::string quoted(std::string const& word) {
     constexpr char const* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
     if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
         return word;
-    std::string text = "'";
-    for (char const letter : word)
-        text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    return text + "'";
+    return "'" + with_replaced(word, {{'\'', "'\\''"}}) + "'";
 }
 
 void add(CLI::Option const& option, std::string& text) {

@@ -98,11 +98,7 @@ void since_baseline(std::string& text, CheckResult const& result) {
 }
 
 std::string indented(std::string const& message) {
-    std::string text = "  ";
-    for (char const letter : message) {
-        text += letter;
-        text += letter == '\n' ? "  " : "";
-    }
+    std::string text = "  " + with_replaced(message, {{'\n', "\n  "}});
     text.erase(text.find_last_not_of(" \n") + 1);
     return text + "\n";
 }

@@ -41,6 +41,17 @@ inline std::string with_replaced(std::string_view text,
     return replaced;
 }
 
+/// The parts of a dotted name: "fifos", "lines", "max_occupancy".
+inline std::vector<std::string> split_at_points(std::string_view name) {
+    std::vector<std::string> parts(1);
+    for (char const letter : name)
+        if (letter == '.')
+            parts.emplace_back();
+        else
+            parts.back() += letter;
+    return parts;
+}
+
 /// The text behind the mark that some editors put before UTF-8.
 inline std::string_view without_byte_order_mark(std::string_view text) {
     constexpr std::string_view mark = "\xEF\xBB\xBF";

@@ -3,23 +3,13 @@
 #include <fmt/format.h>
 
 #include "dataflow/base/fnv1a.hpp"
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/run/config/idle_keys.hpp"
 #include "dataflow/run/config/key_names.hpp"
 #include "dataflow/run/config/keys.hpp"
 
 namespace dataflow {
 namespace {
-
-std::vector<std::string> split_at_points(std::string const& name) {
-    std::vector<std::string> parts;
-    std::size_t start = 0;
-    for (std::size_t point = name.find('.'); point != std::string::npos; point = name.find('.', start)) {
-        parts.push_back(name.substr(start, point - start));
-        start = point + 1;
-    }
-    parts.push_back(name.substr(start));
-    return parts;
-}
 
 std::string indentation(std::size_t level) { return std::string(2 * level, ' '); }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/tools/budgets/figure_pattern.hpp"
 
 namespace dataflow::budgets {
@@ -12,7 +13,7 @@ namespace {
 
 /// Enough to say what moved: stalls by FIFO stand in the FIFOs' rows already.
 bool is_always_kept(std::string const& name) {
-    std::vector<std::string> const parts = parts_of(name);
+    std::vector<std::string> const parts = split_at_points(name);
     bool const is_single = parts.size() > 1 && (parts[0] == "cores" || parts[0] == "samples");
     bool const is_repetition = parts.size() == 4 && parts[0] == "modules";
     return !is_single && !is_repetition;
@@ -36,13 +37,13 @@ std::string figure_lines(Figures const& figures) {
     for (Figure const& figure : figures.all()) {
         std::string const item = without_last_part(figure.name);
         if (item == open && !open.empty()) {
-            text += fmt::format(", {}: {}", parts_of(figure.name).back(), figure.value);
+            text += fmt::format(", {}: {}", split_at_points(figure.name).back(), figure.value);
             continue;
         }
         text += open.empty() ? "" : "}\n";
         open = item;
         text += item.empty() ? fmt::format("    {}: {}\n", figure.name, figure.value)
-                             : fmt::format("    {}: {{{}: {}", item, parts_of(figure.name).back(), figure.value);
+                             : fmt::format("    {}: {{{}: {}", item, split_at_points(figure.name).back(), figure.value);
     }
     return text + (open.empty() ? "" : "}\n");
 }

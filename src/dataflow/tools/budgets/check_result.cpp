@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/run/config/keys.hpp"
 #include "dataflow/run/config/plain_text.hpp"
 #include "dataflow/tools/budgets/figures.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 /// Work does not depend on time, nor do results; what tells when something was done follows from all of them.
 std::vector<runs::Change>* list_for(Explanation& explanation, std::string const& figure) {
-    if (parts_of(figure).front() == "cores")
+    if (split_at_points(figure).front() == "cores")
         return nullptr;
     switch (facts_of(figure).tells) {
         case Tells::shape:

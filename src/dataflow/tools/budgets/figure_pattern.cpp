@@ -53,7 +53,7 @@ std::vector<std::string> const& template_names() {
 
 /// "samples.17.latency_cycles" as "samples.*.latency_cycles": whether there is such a sample is the run's business.
 std::string with_any_number(std::string const& pattern) {
-    std::vector<std::string> parts = parts_of(pattern);
+    std::vector<std::string> parts = split_at_points(pattern);
     bool const has_number = parts.size() > 1 && (parts[0] == "samples" || parts[0] == "cores");
     if (has_number && (parse_integer(parts[1]) || parts[1].find_first_of("*?[") != std::string::npos))
         parts[1] = "*";
@@ -62,7 +62,7 @@ std::string with_any_number(std::string const& pattern) {
 
 /// A candidate in the words of whoever wrote `pattern`: with its wildcards and numbers where they fit.
 std::string in_the_words_of(std::vector<std::string> const& pattern, std::string const& name) {
-    std::vector<std::string> parts = parts_of(name);
+    std::vector<std::string> parts = split_at_points(name);
     for (std::size_t i = 0; i < std::min(parts.size(), pattern.size()); ++i)
         if (part_matches(pattern[i], parts[i]) || (parts[i] == "0" && parse_integer(pattern[i])))
             parts[i] = pattern[i];
@@ -74,7 +74,7 @@ std::string in_the_words_of(std::vector<std::string> const& pattern, std::string
 bool FigurePattern::matches(std::string const& name) const {
     if (name.compare(0, literal_beginning_.size(), literal_beginning_) != 0)
         return false;
-    std::vector<std::string> const parts = parts_of(name);
+    std::vector<std::string> const parts = split_at_points(name);
     return parts.size() == parts_.size() && std::equal(parts_.begin(), parts_.end(), parts.begin(), part_matches);
 }
 
@@ -93,7 +93,7 @@ std::vector<std::string> possible_names(std::string const& pattern) {
 }
 
 std::string did_you_mean_figure(std::string const& pattern) {
-    std::vector<std::string> const words = parts_of(pattern);
+    std::vector<std::string> const words = split_at_points(pattern);
     std::vector<std::string> candidates{"milliseconds"};
     for (std::string const& name : template_names())
         candidates.push_back(in_the_words_of(words, name));

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/tools/budgets/figures.hpp"
 
 namespace dataflow::budgets {
@@ -11,7 +12,7 @@ namespace dataflow::budgets {
 class FigurePattern {
   public:
     explicit FigurePattern(std::string const& text)
-        : parts_(parts_of(text)), literal_beginning_(text.substr(0, text.find_first_of("*?[\\"))) {}
+        : parts_(split_at_points(text)), literal_beginning_(text.substr(0, text.find_first_of("*?[\\"))) {}
     bool matches(std::string const& name) const;
     bool has_wildcard() const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/run/config/design.hpp"
 #include "dataflow/run/figures/column_values.hpp"
 #include "dataflow/run/figures/module_row.hpp"
@@ -104,7 +105,7 @@ void add_sample(Figures& figures, SampleStatistics const& sample) {
 }  // namespace
 
 ColumnFacts const& facts_of(std::string const& name) {
-    std::vector<std::string> const parts = parts_of(name);
+    std::vector<std::string> const parts = split_at_points(name);
     std::size_t const first = parts.size() > 2 && parts[0] == "cores" ? 2 : 0;
     std::string const& table = parts[first];
     std::string const& figure = parts.back();
@@ -151,16 +152,6 @@ void Figures::set(std::string const& name, std::uint64_t value) {
 std::optional<std::uint64_t> Figures::find(std::string const& name) const {
     auto const found = index_.find(name);
     return found == index_.end() ? std::nullopt : std::optional(all_[found->second].value);
-}
-
-std::vector<std::string> parts_of(std::string const& name) {
-    std::vector<std::string> parts(1);
-    for (char const letter : name)
-        if (letter == '.')
-            parts.emplace_back();
-        else
-            parts.back() += letter;
-    return parts;
 }
 
 }  // namespace dataflow::budgets

@@ -31,9 +31,6 @@ class Figures {
     std::unordered_map<std::string, std::size_t> index_;
 };
 
-/// What a name's parts are: "fifos", "lines", "max_occupancy".
-std::vector<std::string> parts_of(std::string const& name);
-
 /// What the tables of columns say of a figure. Of a name that they do not know (a baseline may be older than they are):
 /// work without a unit.
 ColumnFacts const& facts_of(std::string const& name);

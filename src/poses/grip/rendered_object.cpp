@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "faster/data/square_sums.hpp"
+
 namespace faster::grip {
 
 namespace {
@@ -95,89 +97,6 @@ void draw(Corner const& a, Corner const& b, Corner const& c, RenderedObject cons
     }
 }
 
-/// Sum of points.
-struct PointSum {
-    double x = 0, y = 0, z = 0;
-
-    void add(PointSum const& other, double sign) {
-        x += sign * other.x;
-        y += sign * other.y;
-        z += sign * other.z;
-    }
-};
-
-/// Points of the object's box and `radius` pixels around it, those of the background where nothing is drawn; nothing
-/// outside the image.
-class Surroundings {
-  public:
-    Surroundings(RenderedObject const& object, Camera const& camera, int radius, double background)
-        : top_(std::max(0, object.first_row - radius)),
-          left_(std::max(0, object.first_col - radius)),
-          points_(std::min(camera.height, object.first_row + object.depth.height() + radius) - top_,
-                  std::min(camera.width, object.first_col + object.depth.width() + radius) - left_) {
-        for (int row = 0; row < points_.height(); ++row)
-            for (int col = 0; col < points_.width(); ++col) {
-                int const r = row + top_ - object.first_row, c = col + left_ - object.first_col;
-                double const drawn = object.depth.contains(r, c) ? object.depth.at(r, c) : 0;
-                Eigen::Vector3d const p =
-                    back_projected(camera, row + top_, col + left_, drawn > 0 ? drawn : background);
-                points_.at(row, col) = {p.x(), p.y(), p.z()};
-            }
-    }
-
-    Image<PointSum> const& points() const { return points_; }
-    int top() const { return top_; }
-    int left() const { return left_; }
-
-  private:
-    int top_;
-    int left_;
-    Image<PointSum> points_;
-};
-
-/// Sums over 2 * radius + 1 rows (then columns) around each, of those that there are.
-Image<PointSum> summed_down(Image<PointSum> const& points, int radius) {
-    Image<PointSum> sums(points.height(), points.width());
-    std::vector<PointSum> running(static_cast<std::size_t>(points.width()));
-    auto const add_row = [&](int row, double sign) {
-        if (row < 0 || row >= points.height())
-            return;
-        for (std::size_t col = 0; col < running.size(); ++col)
-            running[col].add(points.row(row)[col], sign);
-    };
-    for (int row = 0; row < radius; ++row)
-        add_row(row, 1);
-    for (int row = 0; row < points.height(); ++row) {
-        add_row(row + radius, 1);
-        add_row(row - radius - 1, -1);
-        std::copy(running.begin(), running.end(), sums.row(row));
-    }
-    return sums;
-}
-
-Image<PointSum> summed_across(Image<PointSum> const& columns, int radius) {
-    Image<PointSum> sums(columns.height(), columns.width());
-    for (int row = 0; row < columns.height(); ++row) {
-        PointSum running;
-        PointSum const* const from = columns.row(row);
-        for (int col = 0; col < std::min(radius, columns.width()); ++col)
-            running.add(from[col], 1);
-        for (int col = 0; col < columns.width(); ++col) {
-            if (col + radius < columns.width())
-                running.add(from[col + radius], 1);
-            if (col - radius - 1 >= 0)
-                running.add(from[col - radius - 1], -1);
-            sums.at(row, col) = running;
-        }
-    }
-    return sums;
-}
-
-/// How many pixels of [at - radius, at + radius] are in [0, size).
-int pixels_around(int at, int radius, int size) {
-    return std::min(size - 1, at + radius) - std::max(0, at - radius) + 1;
-}
-
 }  // namespace
 
 RenderedObject render(Mesh const& mesh, Pose const& pose, Camera const& camera, double nearest_m) {
@@ -195,30 +114,31 @@ RenderedObject render(Mesh const& mesh, Pose const& pose, Camera const& camera, 
     return object;
 }
 
-/// The own point is part of the sum, to which it adds nothing, and none of the neighbours.
 Image<Feature> features(RenderedObject const& object, Camera const& camera, int neighbourhood, double threshold,
                         double background) {
     Image<Feature> features(object.depth.height(), object.depth.width(), Feature::none);
     if (features.empty())
         return features;
+    // What the squares around the object's pixels reach in the image, counted from the first pixel of the object's box.
     int const radius = neighbourhood / 2;
-    Surroundings const around(object, camera, radius, background);
-    Image<PointSum> const sums = summed_across(summed_down(around.points(), radius), radius);
-    for (int row = 0; row < features.height(); ++row)
-        for (int col = 0; col < features.width(); ++col) {
-            if (object.depth.at(row, col) == 0)
-                continue;
-            int const image_row = row + object.first_row, image_col = col + object.first_col;
-            PointSum const& p = around.points().at(image_row - around.top(), image_col - around.left());
-            PointSum sum = sums.at(image_row - around.top(), image_col - around.left());
-            double const pixels =
-                pixels_around(image_row, radius, camera.height) * pixels_around(image_col, radius, camera.width);
-            sum.add(p, -pixels);
-            double const limit = threshold * (pixels - 1);
-            bool const is_edge =
-                sum.x * sum.x + sum.y * sum.y + sum.z * sum.z > limit * limit * (p.x * p.x + p.y * p.y + p.z * p.z);
-            features.at(row, col) = is_edge ? Feature::edge : Feature::planar;
-        }
+    int const top = -std::min(radius, object.first_row), left = -std::min(radius, object.first_col);
+    int const bottom = std::min(camera.height - object.first_row, features.height() + radius);
+    int const right = std::min(camera.width - object.first_col, features.width() + radius);
+    auto const depth_at = [&](int row, int col) {
+        return object.depth.contains(row, col) ? object.depth.at(row, col) : 0;
+    };
+    auto const point_at = [&](int row, int col) {
+        double const drawn = depth_at(row + top, col + left);
+        Eigen::Vector3d const p = back_projected(camera, row + top + object.first_row, col + left + object.first_col,
+                                                 drawn > 0 ? drawn : background);
+        return PointSum{p.x(), p.y(), p.z(), 1};
+    };
+    for_each_square(bottom - top, right - left, radius, point_at,
+                    [&](int row, int col, PointSum const& point, PointSum const& square) {
+                        if (depth_at(row + top, col + left) != 0)
+                            features.at(row + top, col + left) =
+                                is_edge(point, square, threshold) ? Feature::edge : Feature::planar;
+                    });
     return features;
 }
 

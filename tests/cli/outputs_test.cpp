@@ -95,6 +95,12 @@ TEST_CASE("An output onto what is read is refused") {
     workspace.check_refused({"check", "--init", "config.yaml", "--out", "config.yaml"}, {"is there already"});
 }
 
+TEST_CASE("A folder that is called like the object is no file of it") {
+    SmallWorkspace const small;
+    require_done(small.run({"--out", "tomato_soup_can"}));
+    require_done(small.run({"--out", "tomato_soup_can"}));
+}
+
 TEST_CASE("All outputs of a run may lie in its folder, and appear with it") {
     Workspace const workspace;
     Words const words{"run",        "config.yaml",    "--out",    "new/o",          "--vcd",    "new/o/w.vcd",

@@ -65,6 +65,8 @@ Key key_of(ItemField const& field) {
     return key;
 }
 
+bool is_bare_name(std::string const& object) { return object.find_first_of("/.") == std::string::npos; }
+
 std::string expectation(Key const& key) { return accepted(key).expectation; }
 
 std::string range_text(Key const& key) { return accepted(key).range; }

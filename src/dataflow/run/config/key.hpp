@@ -86,6 +86,10 @@ struct Key {
 /// A field as a key of its own, as far as what it accepts goes.
 Key key_of(ItemField const& field);
 
+/// Whether the value of a KeyKind::object is the name of something that the design knows. A path has a slash or a
+/// point.
+bool is_bare_name(std::string const& object);
+
 /// What the key accepts, to follow "expected": "an integer from 1 to 4096".
 std::string expectation(Key const& key);
 

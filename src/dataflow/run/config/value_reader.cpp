@@ -114,14 +114,13 @@ class ValueReader {
         return name->empty() ? *name : beside_folder(*name);
     }
 
-    /// A name is bare; whatever has a slash or a point is a file.
     std::optional<std::string> object(YAML::Node const& node, std::string const& expectation) const {
         auto const name = text(node);
         if (!name || name->empty()) {
             expected(node, expectation);
             return std::nullopt;
         }
-        return name->find_first_of("/.") == std::string::npos ? *name : beside_folder(*name);
+        return is_bare_name(*name) ? *name : beside_folder(*name);
     }
 
     std::optional<std::array<double, 3>> vector(YAML::Node const& node, std::string const& expectation) const {

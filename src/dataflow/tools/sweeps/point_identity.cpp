@@ -50,7 +50,7 @@ std::string Identifier::text_of(Key const& key, RunConfig const& config) {
 
 /// What has a bare name is part of this program. What a file means depends on its ending too.
 std::string Identifier::object(std::string const& name) {
-    if (name.find_first_of("/.") == std::string::npos)
+    if (is_bare_name(name))
         return name;
     return std::filesystem::path(name).extension().string() + ":" + content(name);
 }

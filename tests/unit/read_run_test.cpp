@@ -167,6 +167,12 @@ TEST_CASE("A design without loops and FIFOs has results that can be read", "[run
     CHECK(run.modules.size() == 1);
 }
 
+TEST_CASE("A sample may end before the module that begins samples has come to it", "[runs]") {
+    RunFolder const folder;
+    CHECK(folder.error_with("samples.csv", "5,99,95", "50,9,0") == "(no error)");
+    CHECK(folder.error_with("samples.csv", "5,99,95", "107,99,0") == "(no error)");
+}
+
 TEST_CASE("Samples that do not fit the run are refused by their line", "[runs]") {
     RunFolder const folder;
     auto const error = [&folder](std::string const& found, std::string const& replacement) {

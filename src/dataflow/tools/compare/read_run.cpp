@@ -41,16 +41,16 @@ constexpr std::uint64_t largest_figure = (std::uint64_t{1} << 53U) - 1;
     throw InputError(fmt::format("{}: {} rows, expected {}", path.string(), rows, expected));
 }
 
-/// What the cells of a column of samples may be. A sample takes a cycle at least, and lies within the run.
+/// What the cells of a column of samples may be. A sample ends within the run, and may begin after its end: the module
+/// that begins samples may be the last to be done.
 io::CsvColumn limits_of(ColumnFacts const& column, RunRecord const& run) {
     std::string const name = column.name;
-    std::int64_t const min = name == "latency_cycles" ? 1 : 0;
     auto const cycles = static_cast<std::int64_t>(run.total_cycles);
     if (name == "core")
-        return {name, min, static_cast<std::int64_t>(run.raster_cores) - 1};
-    if (column.is_in_cycles())
-        return {name, min, std::string_view(column.unit) == "cycle" ? cycles - 1 : cycles};
-    return {name, min, static_cast<std::int64_t>(largest_figure)};
+        return {name, 0, static_cast<std::int64_t>(run.raster_cores) - 1};
+    if (column.is_in_cycles() && name != "start_cycle")
+        return {name, 0, name == "end_cycle" ? cycles - 1 : cycles};
+    return {name, 0, static_cast<std::int64_t>(largest_figure)};
 }
 
 std::string first_line(fs::path const& path) {

@@ -343,4 +343,18 @@ TEST_CASE("A first budget leaves the slack that it names, and no more, to runs o
     }
 }
 
+TEST_CASE("Settings of a first budget are in quotes where they would be read back as something else") {
+    Budget budget;
+    budget.overrides = {"workload.object=meshes/a #1.obj", "workload.trace=", "accelerator.raster_cores=2",
+                        "workload.pose.translation_m=[0, 0, 1]"};
+    Measurement measurement;
+    measurement.figures.set("total_cycles", 1);
+    measurement.accelerator = {{"accelerator.a", "x, y"}, {"accelerator.b", "}"}, {"accelerator.c", "touched"}};
+    CHECK_THAT(starting_budget(budget, measurement, {}, "2026-01-02"),
+               Contains("  workload.object: \"meshes/a #1.obj\"\n  workload.trace: \"\"\n"
+                        "  accelerator.raster_cores: 2\n  workload.pose.translation_m: [0, 0, 1]\n") &&
+                   Contains("  accelerator: {accelerator.a: \"x, y\", accelerator.b: \"}\", "
+                            "accelerator.c: touched}\n"));
+}
+
 }  // namespace budget_evaluation_test

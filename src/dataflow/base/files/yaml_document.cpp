@@ -11,6 +11,7 @@
 
 #include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/json.hpp"
 #include "dataflow/base/nearest_name.hpp"
 #include "dataflow/base/printable.hpp"
 #include "dataflow/base/utf8.hpp"
@@ -216,6 +217,16 @@ void require_text(std::filesystem::path const& path, std::string const& text) {
     }
 }
 
+/// Whether the document is a map with the one key `a`, whose value is the text.
+bool is_same_value(std::string const& document, std::string const& text) {
+    try {
+        YAML::Node const root = parse_document(document);
+        return root.IsMap() && root.size() == 1 && root["a"] && root["a"].IsScalar() && root["a"].Scalar() == text;
+    } catch (YAML::Exception const&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 YAML::Node parse_document(std::string const& text) {
@@ -223,6 +234,11 @@ YAML::Node parse_document(std::string const& text) {
     YAML::Node const root = YAML::Load(text);
     merge_in_place(root);
     return root;
+}
+
+std::string yaml_value(std::string const& text) {
+    bool const will_do = is_same_value("a: " + text, text) && is_same_value("{a: " + text + "}", text);
+    return will_do ? text : Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 YAML::Node load_document(std::filesystem::path const& path, std::string const& expected,

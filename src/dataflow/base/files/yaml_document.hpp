@@ -21,4 +21,8 @@ YAML::Node parse_document(std::string const& text);
 YAML::Node load_document(std::filesystem::path const& path, std::string const& expected = "a configuration file",
                          std::vector<std::string> const& keys = {});
 
+/// The text as a value of a map that is read back as the same text: as it stands if that will do on a line of its own
+/// and in a map in braces, else in quotes.
+std::string yaml_value(std::string const& text);
+
 }  // namespace dataflow

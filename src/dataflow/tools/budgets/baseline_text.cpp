@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/text_lines.hpp"
 #include "dataflow/tools/budgets/figure_pattern.hpp"
 
@@ -74,7 +75,7 @@ bool is_same_run(Baseline const& a, Baseline const& b) {
 std::string baseline_block(Baseline const& baseline) {
     std::vector<std::string> settings;
     for (Setting const& setting : baseline.accelerator)
-        settings.push_back(setting.key + ": " + setting.value);
+        settings.push_back(setting.key + ": " + yaml_value(setting.value));
     return fmt::format("baseline:\n  date: {}\n  reason: {}\n  configuration: {}\n  accelerator: {{{}}}\n  figures:\n",
                        baseline.date, nlohmann::json(baseline.reason).dump(), baseline.configuration,
                        fmt::join(settings, ", ")) +

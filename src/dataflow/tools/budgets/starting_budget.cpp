@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/program_name.hpp"
+#include "dataflow/run/config/keys.hpp"
 #include "dataflow/tools/budgets/baseline_text.hpp"
 #include "dataflow/tools/budgets/figure_pattern.hpp"
 
@@ -16,6 +18,14 @@ namespace {
 constexpr int slack = 2;  // percent
 
 std::string quoted(std::string const& text) { return io::text_of(text); }
+
+/// A list is YAML in the command line too.
+std::string setting_line(std::string const& name, std::string const& value) {
+    Key const* const key = find_key(name);
+    bool const is_list = key != nullptr && (key->kind == KeyKind::vector || key->kind == KeyKind::items);
+    bool const is_line = value.find_first_of("\r\n") == std::string::npos;
+    return fmt::format("  {}: {}\n", name, is_list && is_line ? value : yaml_value(value));
+}
 
 std::string head(Budget const& budget, std::string const& date) {
     std::string const name = budget.file.filename().string();
@@ -32,7 +42,7 @@ std::string head(Budget const& budget, std::string const& date) {
         text += "set:  # wins over the configuration\n";
     for (std::string const& setting : budget.overrides) {
         std::size_t const equals = setting.find('=');
-        text += fmt::format("  {}: {}\n", setting.substr(0, equals), setting.substr(equals + 1));
+        text += setting_line(setting.substr(0, equals), setting.substr(equals + 1));
     }
     return text;
 }

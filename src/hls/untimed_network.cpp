@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -168,8 +169,13 @@ void UntimedNetwork::run() {
     {
         Baton baton;
         std::vector<std::unique_ptr<Watcher>> watchers;
-        for (std::size_t i = 0; i < processes_.size(); ++i)
-            watchers.push_back(std::make_unique<Watcher>(*this, baton, i));
+        try {
+            for (std::size_t i = 0; i < processes_.size(); ++i)
+                watchers.push_back(std::make_unique<Watcher>(*this, baton, i));
+        } catch (std::system_error const& refusal) {  // the functions that have a thread are given up below
+            error = std::make_exception_ptr(HostError("no thread for a function of the design (" +
+                                                      refusal.code().message() + "), expected room for more of them"));
+        }
         auto const first_error = [&](Watcher const& watcher) {
             if (!error)
                 error = watcher.error();

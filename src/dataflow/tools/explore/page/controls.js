@@ -26,8 +26,8 @@ function leaf_of(key) {
 function is_of_part(key, { kind, name }) {
   const part = part_of(key);
   if (kind === "fifo") return part === `fifos.${name}`;
-  if (kind === "bram") return part.startsWith(`brams.${name}`);
-  return part.startsWith(`loops.${name}.`) || part === name || part === `setup.${name}`;
+  if (kind === "bram") return `${part}.`.startsWith(`brams.${name}.`);
+  return part.startsWith(`loops.${name}.`) || part === `modules.${name}` || part === name;
 }
 
 /// One key. `changed(value, is_settled)` is told what the user does.

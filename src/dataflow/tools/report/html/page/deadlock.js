@@ -21,7 +21,7 @@ function show_command_for_before() {
 
 function show_commands() {
   if (deadlock.deeper.length === 0) return by_id("how-deep").remove();
-  const configured = data.configuration.filter(({ key, default: is_default }) => /^accelerator\.fifos\.\w+\.depth$/.test(key) && !is_default);
+  const configured = data.configuration.filter(({ key, default: is_default }) => /^accelerator\.fifos\.[\w-]+\.depth$/.test(key) && !is_default);
   const deeper = [...new Set([...deadlock.deeper, ...configured].map(({ key }) => key))];
   const others = data.settings.filter((setting) => !deeper.includes(setting.split("=")[0]));
   const settings = [...others, ...deeper.map((key) => `${key}=4096`)].map((setting) => ` --set ${setting}`).join("");

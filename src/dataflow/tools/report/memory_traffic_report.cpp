@@ -16,6 +16,13 @@ double share_of(Cycles part, Cycles whole) {
     return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
+/// The least latency of two cores' bursts; that of a core without any is 0, and says nothing.
+Cycles least_of(MasterStatistics const& one, MasterStatistics const& other) {
+    if (one.bursts == 0 || other.bursts == 0)
+        return one.bursts == 0 ? other.latency_least : one.latency_least;
+    return std::min(one.latency_least, other.latency_least);
+}
+
 /// A master of all cores together: latencies of the core with the largest.
 std::vector<MasterStatistics> over_cores(MemoryTraffic const& traffic) {
     std::vector<MasterStatistics> sums;
@@ -26,10 +33,9 @@ std::vector<MasterStatistics> over_cores(MemoryTraffic const& traffic) {
             sums.push_back(row);
             continue;
         }
+        found->latency_least = least_of(*found, row);
         found->bursts += row.bursts;
         found->bytes += row.bytes;
-        found->latency_least =
-            row.bursts > 0 ? std::min(found->latency_least, row.latency_least) : found->latency_least;
         found->latency_median = std::max(found->latency_median, row.latency_median);
         found->latency_90 = std::max(found->latency_90, row.latency_90);
         found->latency_most = std::max(found->latency_most, row.latency_most);

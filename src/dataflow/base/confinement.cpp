@@ -1,20 +1,14 @@
 #include "dataflow/base/confinement.hpp"
 
 #include <fcntl.h>
-#include <fstream>
 #include <sys/resource.h>
 #include <unistd.h>
+
+#include "dataflow/base/host_memory.hpp"
 
 namespace dataflow::processes {
 
 namespace {
-
-/// Of addresses, whether they are backed by memory or not, as RLIMIT_AS counts them.
-std::uint64_t bytes_now() {
-    std::uint64_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
 
 void lower(__rlimit_resource resource, std::uint64_t most) {
     rlimit limit{};
@@ -36,7 +30,7 @@ void fall_silent() {
 
 void confine_process(std::uint64_t more_memory_bytes) {
     lower(RLIMIT_CORE, 0);
-    lower(RLIMIT_AS, bytes_now() + more_memory_bytes);
+    lower(RLIMIT_AS, address_bytes() + more_memory_bytes);
     fall_silent();
 }
 

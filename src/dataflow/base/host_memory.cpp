@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace dataflow {
 
@@ -25,8 +26,16 @@ std::uint64_t available_on_host() {
 
 std::uint64_t available_memory_bytes() {
     rlimit limit{};
-    bool const is_limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-    return std::min(available_on_host(), is_limited ? std::uint64_t{limit.rlim_cur} : unknown);
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+        return available_on_host();
+    std::uint64_t const most = limit.rlim_cur;
+    return std::min(available_on_host(), most - std::min(most, address_bytes()));
+}
+
+std::uint64_t address_bytes() {
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace dataflow

@@ -7,4 +7,7 @@ namespace dataflow {
 /// where the host does not say.
 std::uint64_t available_memory_bytes();
 
+/// How many bytes of addresses this process has, whether they are backed by memory or not: what RLIMIT_AS limits.
+std::uint64_t address_bytes();
+
 }  // namespace dataflow

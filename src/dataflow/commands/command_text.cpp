@@ -10,9 +10,9 @@ namespace dataflow {
 
 namespace {
 
-constexpr std::array<char const*, 16> without_effect{
-    "out", "report",   "events", "json",  "csv",         "html",         "junit",      "vcd",
-    "fst", "timeline", "jobs",   "force", "keep-events", "retry-failed", "time-limit", "shard"};
+constexpr std::array<char const*, 15> without_effect{"out",   "report",      "events",       "json",       "csv",
+                                                     "junit", "vcd",         "fst",          "timeline",   "jobs",
+                                                     "force", "keep-events", "retry-failed", "time-limit", "shard"};
 
 bool has_effect(CLI::Option const& option) {
     return std::none_of(without_effect.begin(), without_effect.end(),

@@ -59,6 +59,9 @@ TEST_CASE("Line ends stay as they are") {
     std::string const text = replaced("a: 1\r\nbaseline: {}\r\nb: 2\r\n");
     CHECK(text.find("a: 1\r\nbaseline:\r\n  date: 2026-05-06\r\n") == 0);
     CHECK(text.find("writes: 8}\r\nb: 2\r\n") != std::string::npos);
+    CHECK(replaced("a: 1\nc: 3\r\nbaseline:\n" + old_lines + "b: 2\n") ==
+          "a: 1\nc: 3\r\nbaseline:\n" + new_lines + "b: 2\n");
+    CHECK(replaced("a: 1\r\nb: 2").find("a: 1\r\nb: 2\r\n\r\nbaseline:\r\n") == 0);
 }
 
 TEST_CASE("What cannot be replaced alone is refused") {

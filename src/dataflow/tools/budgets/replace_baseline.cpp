@@ -16,15 +16,28 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// Without their ends; a last line that ends is followed by no empty one.
+bool has_return(std::string const& line) { return !line.empty() && line.back() == '\r'; }
+
+/// Without line feeds, but with carriage returns before them; a last line that ends is followed by no empty one, one
+/// that does not ends like the first.
 Lines lines_of(std::string const& text) {
     Lines lines;
     for (std::size_t start = 0; start < text.size();) {
         std::size_t const end = std::min(text.find('\n', start), text.size());
         lines.push_back(text.substr(start, end - start));
-        if (!lines.back().empty() && lines.back().back() == '\r')
-            lines.back().pop_back();
         start = end + 1;
+    }
+    if (!lines.empty() && text.back() != '\n' && has_return(lines.front()) && !has_return(lines.back()))
+        lines.back() += '\r';
+    return lines;
+}
+
+/// With carriage returns at the ends of all lines, or of none.
+Lines with_returns(Lines lines, bool has_returns) {
+    for (std::string& line : lines) {
+        if (has_return(line))
+            line.pop_back();
+        line += has_returns ? "\r" : "";
     }
     return lines;
 }
@@ -133,10 +146,10 @@ Block block_in(Lines const& lines, YAML::Node const& root) {
     return block;
 }
 
-std::string joined(Lines const& lines, bool with_carriage_returns) {
+std::string joined(Lines const& lines) {
     std::string text;
     for (std::string const& line : lines)
-        text += line + (with_carriage_returns ? "\r\n" : "\n");
+        text += line + "\n";
     return text;
 }
 
@@ -171,12 +184,14 @@ std::string replace_baseline(std::string const& text, Baseline const& baseline, 
     Block const block = block_in(lines, before);
     auto const first = lines.begin() + static_cast<std::ptrdiff_t>(block.first);
     auto const last = lines.begin() + static_cast<std::ptrdiff_t>(block.last);
-    Lines const merged = Comments(Lines(first, last)).merged_into(lines_of(baseline_block(baseline)));
     bool const is_new = block.first == lines.size();
-    lines.insert(lines.erase(first, last), merged.begin(), merged.end());
+    bool const has_returns = !lines.empty() && has_return(is_new ? lines.front() : *first);
+    Comments comments(with_returns(Lines(first, last), false));
+    Lines merged = with_returns(comments.merged_into(lines_of(baseline_block(baseline))), has_returns);
     if (is_new)
-        lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(block.first), "");
-    std::string changed = joined(lines, text.find("\r\n") != std::string::npos);
+        merged.insert(merged.begin(), has_returns ? "\r" : "");
+    lines.insert(lines.erase(first, last), merged.begin(), merged.end());
+    std::string const changed = joined(lines);
     try {
         YAML::Node const after = parse_document(changed);
         if (all_but_baseline(after) == all_but_baseline(before) && holds(after, baseline))

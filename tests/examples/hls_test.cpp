@@ -285,6 +285,10 @@ TEST_CASE("A broken report, or map, is one line with file, line, what is there a
     CHECK_THAT(complaint("<profile/>", ""), Contains("no loop, expected"));
     CHECK_THAT(complaint(good, "loops: {producer.sent: a.b}"), Contains("did you mean producer.send?"));
     CHECK_THAT(complaint(good, "loop: {}"), Contains("section loop, expected loops or fifos"));
+    CHECK_THAT(complaint(good, "loops:\n  producer.send: a.b\n  producer.send: c.d\n"),
+               Contains("map.yaml:3: loops.producer.send: stands twice, expected once"));
+    CHECK_THAT(complaint(good, "loops: {producer.send: a.b}\nloops: {}\n"),
+               Contains("map.yaml:2: loops: stands twice, expected once"));
 }
 
 /// A report of pipelined loops.

@@ -226,6 +226,10 @@ class Scheduler {
     Schedule result_;
 };
 
+[[noreturn]] void fail_twice(std::string const& file, YAML::Node const& key, std::string const& name) {
+    throw InputError(fmt::format("{}:{}: {}: stands twice, expected once", file, key.Mark().line + 1, name));
+}
+
 std::map<std::string, std::string> pairs_of(std::string const& file, YAML::Node const& map,
                                             std::string const& section) {
     std::map<std::string, std::string> pairs;
@@ -236,7 +240,8 @@ std::map<std::string, std::string> pairs_of(std::string const& file, YAML::Node 
         if (!pair.first.IsScalar() || !pair.second.IsScalar())
             throw InputError(fmt::format("{}:{}: {} has something other than names, expected NAME: NAME OF THE REPORT",
                                          file, pair.first.Mark().line + 1, section));
-        pairs[pair.first.Scalar()] = pair.second.Scalar();
+        if (!pairs.emplace(pair.first.Scalar(), pair.second.Scalar()).second)
+            fail_twice(file, pair.first, section + "." + pair.first.Scalar());
     }
     return pairs;
 }
@@ -255,7 +260,10 @@ NameMap read_name_map(std::string const& file) {
         if (name != "loops" && name != "fifos")
             throw InputError(
                 fmt::format("{}:{}: section {}, expected loops or fifos", file, section.first.Mark().line + 1, name));
-        (name == "loops" ? names.loops : names.fifos) = pairs_of(file, section.second, name);
+        std::map<std::string, std::string>& pairs = name == "loops" ? names.loops : names.fifos;
+        if (!pairs.empty())
+            fail_twice(file, section.first, name);
+        pairs = pairs_of(file, section.second, name);
     }
     return names;
 }

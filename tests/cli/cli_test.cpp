@@ -472,6 +472,9 @@ TEST_CASE("Wrong usage is refused in one line") {
             check_refused(workspace, {"run", "config.yaml", flag + value},
                           {flag + ": has a value, expected it without one (see faster-sim run --help)"});
     check_refused(workspace, {"cosim", "trace", "--no-forwarding=1"}, {"--no-forwarding: has a value"});
+    check_refused(workspace, {"sweep", "merge", "a", "--out", ""},
+                  {"--out: is empty, expected DIR (see faster-sim sweep merge --help)"});
+    check_refused(workspace, {"sweep", "merge", "", "--out", "b"}, {"folders: is empty"});
 }
 
 TEST_CASE("A negative number of pictures is refused in one line") {

@@ -73,9 +73,7 @@ class Tool {
         for (Subcommand const& command : commands_) {
             CLI::App& declared = *app.add_subcommand(command.name, command.help);
             actions.push_back(command.declare(declared));
-            for (CLI::Option* const option : declared.get_options())
-                if (option->get_items_expected_max() == 0)
-                    option->disable_flag_override();
+            refuse_values_of_flags(declared);
         }
         try {
             app.parse(argc, argv);
@@ -90,9 +88,18 @@ class Tool {
         while (!app.got_subcommand(commands_[chosen].name))
             ++chosen;
         CLI::App const& command = *app.get_subcommand(commands_[chosen].name);
-        require_words(command);
+        require_words(command, text_.name + " " + command.get_name());
         made_by().command = command_text(command);
         return actions[chosen];
+    }
+
+    /// Of the command, and of commands in it, as of `sweep merge`.
+    static void refuse_values_of_flags(CLI::App& command) {
+        for (CLI::Option* const option : command.get_options())
+            if (option->get_items_expected_max() == 0)
+                option->disable_flag_override();
+        for (CLI::App* const inner : command.get_subcommands({}))
+            refuse_values_of_flags(*inner);
     }
 
     /// As the parser says it, but for a flag that is given a value.
@@ -121,12 +128,14 @@ class Tool {
     }
 
     /// An empty word is a variable of a script that was never set: not what its user left out.
-    void require_words(CLI::App const& command) const {
+    static void require_words(CLI::App const& command, std::string const& name) {
         for (CLI::Option const* const option : command.get_options())
             for (std::string const& word : option->results())
                 if (word.empty())
-                    throw InputError(fmt::format("{}: is empty, expected {} (see {} {} --help)", option->get_name(),
-                                                 option->get_type_name(), text_.name, command.get_name()));
+                    throw InputError(fmt::format("{}: is empty, expected {} (see {} --help)", option->get_name(),
+                                                 option->get_type_name(), name));
+        for (CLI::App const* const inner : command.get_subcommands())
+            require_words(*inner, name + " " + inner->get_name());
     }
 
     std::string version() const {

@@ -228,6 +228,10 @@ TEST_CASE("What is wrong with a BOP folder is one line that says where", "[bop]"
         folder.replace("models/models_info.json", "\"5\"", "\"6\"");
         CHECK(complaint(folder) == "models/models_info.json: no key 5, expected one for obj_000005.ply");
     }
+    SECTION("two folders of a scene") {
+        fs::copy(folder / "test/000001", folder / "test/1", fs::copy_options::recursive);
+        CHECK(complaint(folder) == "test/1: is scene 1, as 000001 is, expected one folder of a scene");
+    }
     SECTION("two meshes of an object") {
         fs::copy(folder / "models/obj_000005.ply", folder / "models/obj_5.ply");
         CHECK(complaint(folder) ==

@@ -237,6 +237,11 @@ TEST_CASE("Scenes can be made from meshes of a folder", "[experiments][bop]") {
     told = 0;
     make();
     CHECK(told == 1);  // other meshes, other scenes
+    folder.write("scans/banana.obj", obj_text(banana));
+    CHECK_THAT(input_error_text(make),
+               Catch::Matchers::Contains(
+                   "scans/banana.obj: is a mesh of banana, as 011_banana.obj is, expected one mesh of a class"));
+    std::filesystem::remove(folder / "scans/banana.obj");
     setting.objects = {"bowl"};
     CHECK_THAT(input_error_text(make), Catch::Matchers::Contains("has no mesh of bowl, expected one called bowl.obj"));
     setting.models = folder / "made";

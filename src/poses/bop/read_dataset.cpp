@@ -51,14 +51,26 @@ std::set<fs::path> folders_in(fs::path const& folder) {
     return folders;
 }
 
-/// The scenes of a split: its folders NNNNNN with a camera file.
-std::map<int, fs::path> scenes_in(fs::path const& split) {
-    std::map<int, fs::path> scenes;
+/// Those of a split that are scenes: folders NNNNNN with a camera file.
+std::vector<fs::path> scene_folders_in(fs::path const& split) {
+    std::vector<fs::path> scenes;
     for (fs::path const& folder : folders_in(split)) {
         std::string const name = folder.filename().string();
         bool const is_number = name.find_first_not_of("0123456789") == std::string::npos && name.size() <= 9;
         if (is_number && fs::exists(folder / "scene_camera.json"))
-            scenes[std::stoi(name)] = folder;
+            scenes.push_back(folder);
+    }
+    return scenes;
+}
+
+std::map<int, fs::path> scenes_in(fs::path const& split) {
+    std::map<int, fs::path> scenes;
+    for (fs::path const& folder : scene_folders_in(split)) {
+        int const id = std::stoi(folder.filename().string());
+        auto const [found, is_new] = scenes.emplace(id, folder);
+        if (!is_new)
+            io::fail(folder, fmt::format("is scene {}, as {} is, expected one folder of a scene", id,
+                                         found->second.filename().string()));
     }
     return scenes;
 }
@@ -66,7 +78,7 @@ std::map<int, fs::path> scenes_in(fs::path const& split) {
 std::vector<std::string> splits_in(fs::path const& folder) {
     std::vector<std::string> splits;
     for (fs::path const& candidate : folders_in(folder)) {
-        if (!scenes_in(candidate).empty())
+        if (!scene_folders_in(candidate).empty())
             splits.push_back(candidate.filename().string());
     }
     return splits;
@@ -74,7 +86,7 @@ std::vector<std::string> splits_in(fs::path const& folder) {
 
 /// The folder of the scenes: the one asked for, the dataset itself if it is a split, `test`, or the only one.
 fs::path split_of(fs::path const& folder, std::string const& wanted) {
-    if (wanted.empty() && !scenes_in(folder).empty())
+    if (wanted.empty() && !scene_folders_in(folder).empty())
         return folder;
     std::vector<std::string> const splits = splits_in(folder);
     if (splits.empty())

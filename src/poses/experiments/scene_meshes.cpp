@@ -43,6 +43,18 @@ std::vector<fs::path> files_in(fs::path const& folder) {
     return files;
 }
 
+void require_one_per_class(std::vector<fs::path> const& files) {
+    std::map<int, fs::path> first;
+    for (fs::path const& file : files) {
+        int const id = obj_id_of_file(file);
+        auto const [found, is_new] = first.emplace(id, file);
+        if (!is_new)
+            throw InputError(fmt::format("{}: is a mesh of {}, as {} is, expected one mesh of a class", file.string(),
+                                         ycb_classes()[static_cast<std::size_t>(id) - 1],
+                                         found->second.filename().string()));
+    }
+}
+
 void move_to_middle(Mesh& mesh) {
     Eigen::Vector3d const middle = box_of(mesh).center();
     for (Eigen::Vector3d& vertex : mesh.vertices)
@@ -69,6 +81,7 @@ std::map<int, Mesh> scene_meshes(fs::path const& folder, std::size_t jobs, std::
         return meshes;
     }
     std::vector<fs::path> const files = files_in(folder);
+    require_one_per_class(files);
     std::vector<Mesh> loaded = files::load_meshes(files, {}, jobs);
     for (std::size_t i = 0; i < files.size(); ++i) {
         move_to_middle(loaded[i]);

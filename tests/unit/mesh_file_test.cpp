@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "dataflow/base/input_error.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/input_error_text.hpp"
 #include "support/is_instrumented.hpp"
@@ -91,6 +92,12 @@ TEST_CASE("A mesh file that is missing or a folder is an input error", "[mesh_fi
     CHECK(load_error(folder / "none.obj") ==
           (folder / "none.obj").string() + ": no such file, expected a readable file");
     CHECK_THAT(load_error(folder.path()), Catch::EndsWith(": is a folder, expected a file"));
+}
+
+TEST_CASE("A mesh file that the host cannot read is no fault of the input", "[mesh_file]") {
+    TempFolder const folder;
+    std::filesystem::create_symlink("/proc/self/mem", folder / "m.obj");  // whose first bytes nobody can read
+    CHECK_THROWS_AS(load_mesh(folder / "m.obj"), dataflow::HostError);
 }
 
 TEST_CASE("A mesh file of an unknown format is an input error", "[mesh_file]") {

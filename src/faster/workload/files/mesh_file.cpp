@@ -36,12 +36,14 @@ namespace fs = std::filesystem;
 using processes::Outcome;
 
 /// The first byte of what the child sends.
-enum Reply : char { reply_mesh = 'm', reply_complaint = 'c', reply_no_memory = 'n' };
+enum Reply : char { reply_mesh = 'm', reply_complaint = 'c', reply_host = 'h', reply_no_memory = 'n' };
 
 std::string reply_of(fs::path const& path, MeshLimits const& limits) {
     try {
         processes::confine_process(limits.memory_bytes());
         return char{reply_mesh} + mesh_bytes(import_mesh(path));
+    } catch (HostError const& error) {
+        return char{reply_host} + std::string(error.what());
     } catch (InputError const& error) {
         return char{reply_complaint} + std::string(error.what());
     } catch (std::bad_alloc const&) {
@@ -73,6 +75,8 @@ Mesh mesh_of(fs::path const& path, MeshLimits const& limits, Outcome const& outc
         fail_reading(path, fmt::format("the process that reads it crashed: {}", strsignal(outcome.signal)));
     std::string_view const output = outcome.output;
     if (outcome.kind == Outcome::Kind::done && !output.empty()) {
+        if (output.front() == reply_host)
+            throw HostError(std::string(output.substr(1)));
         if (output.front() == reply_complaint)
             throw InputError(std::string(output.substr(1)));
         if (output.front() == reply_no_memory)

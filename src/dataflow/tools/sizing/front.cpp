@@ -13,6 +13,7 @@ SearchOptions options_for(SearchOptions options, bool is_monotone) {
 
 FrontPoint point_at(FifoFrame const& frame, RepairedSearch& search, Cycles bound) {
     FrontPoint point;
+    point.bound = bound;
     point.found = search.timed(search.cheapest(bound));
     point.primitives = sum_of(point.found.choice, frame.freedoms, frame.weights);
     point.cost = cost_of(point.primitives, frame.weights);

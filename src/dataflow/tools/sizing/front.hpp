@@ -30,8 +30,9 @@ class RepairedSearch {
     Search exact_;
 };
 
-/// A choice that no other beats in both cost and cycles.
+/// The cheapest choice within one bound.
 struct FrontPoint {
+    Cycles bound = 0;  ///< no more than this; Cut::deadlock - 1: any that end
     Found found;
     Primitives primitives;  ///< of a core
     double cost = 0;        ///< of a core, in LUTs

@@ -287,9 +287,9 @@ TEST_CASE("A journal of estimates gives back what it was given, but for damaged 
     result.adds_mm = {12.5, 3};
     {
         EstimateJournal journal(folder / "journal");
-        journal.append("a", result);
+        journal.append({{"a", result}});
         result.weight = 0.1;
-        journal.append("b", result);
+        journal.append({{"b", result}});
     }
     std::string const text = io::read_file(folder / "journal");
     folder.write("journal", text.substr(0, text.size() - 5));

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "dataflow/tools/sweeps/journal.hpp"
+#include "dataflow/tools/sweeps/point_result.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/temp_folder.hpp"
 #include "support/tool_output.hpp"
@@ -9,9 +10,8 @@ namespace sweep_journal_test {
 
 using namespace faster;
 using namespace faster::test;
-using sweeps::Journal;
 using sweeps::PointResult;
-using sweeps::Results;
+using Journal = sweeps::Journal<PointResult>;
 
 PointResult result(Cycles cycles) {
     PointResult made;
@@ -32,7 +32,7 @@ std::filesystem::path written_journal(TempFolder const& folder) {
 
 TEST_CASE("A journal keeps results", "[sweeps]") {
     TempFolder const folder;
-    auto const content = sweeps::read_journal(written_journal(folder));
+    auto const content = sweeps::read_journal<PointResult>(written_journal(folder));
     CHECK(content.damaged == 0);
     REQUIRE(content.results.size() == 3);
     CHECK(content.results.at("b") == result(2));
@@ -61,12 +61,12 @@ TEST_CASE("A damaged row of a journal is dropped, and can be written again", "[s
     std::string damaged = content_of(written_journal(folder));
     damaged[damaged.find("\"total_cycles\":2") + 15] = '3';
     folder.write("journal", damaged);
-    CHECK(sweeps::read_journal(folder / "journal").damaged == 1);
+    CHECK(sweeps::read_journal<PointResult>(folder / "journal").damaged == 1);
     Journal journal(folder / "journal");
     CHECK(journal.results().size() == 2);
     CHECK(journal.results().count("b") == 0);
     journal.append({{"b", result(2)}});
-    auto const content = sweeps::read_journal(folder / "journal");
+    auto const content = sweeps::read_journal<PointResult>(folder / "journal");
     CHECK(content.damaged == 0);
     CHECK(content.results.size() == 3);
     CHECK(lines_of(content_of(folder / "journal")).size() == 3);
@@ -77,7 +77,7 @@ TEST_CASE("Unwanted results are taken out of a journal", "[sweeps]") {
     Journal const journal(written_journal(folder),
                           [](PointResult const& each) { return each.status == PointResult::Status::failed; });
     CHECK(journal.results().size() == 2);
-    CHECK(sweeps::read_journal(folder / "journal").results.count("c") == 0);
+    CHECK(sweeps::read_journal<PointResult>(folder / "journal").results.count("c") == 0);
 }
 
 }  // namespace sweep_journal_test

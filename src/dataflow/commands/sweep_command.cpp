@@ -159,7 +159,7 @@ sweeps::Manifest manifest_of(sweeps::Sweep const& sweep, std::vector<sweeps::Poi
 bool has_failed(PointResult const& result) { return result.status == PointResult::Status::failed; }
 bool is_wanted(PointResult const&) { return false; }
 
-void say_what_is_there(sweeps::Journal const& journal, std::size_t points, std::size_t pending) {
+void say_what_is_there(sweeps::Journal<PointResult> const& journal, std::size_t points, std::size_t pending) {
     if (journal.damaged() > 0)
         say("{} rows of the journal were cut off or damaged: their points are done again\n", journal.damaged());
     if (pending < points)
@@ -178,7 +178,7 @@ int sweep(SweepRequest const& request) {
     sweeps::SweepFolder folder(request.out);
     folder.adopt(manifest);
     folder.prepare_events();
-    sweeps::Journal journal(folder.journal(), request.retry_failed ? has_failed : is_wanted);
+    sweeps::Journal<PointResult> journal(folder.journal(), request.retry_failed ? has_failed : is_wanted);
     std::vector<std::size_t> const points = points_of_shard(identities, shard);
     {
         Sweeper sweeper(request, sweep, identities, points, folder, journal);

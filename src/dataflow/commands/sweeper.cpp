@@ -158,13 +158,13 @@ SweepReply reply_from_text(std::string const& text) {
     json.at("lost_events").get_to(reply.lost_events);
     json.at("trouble").get_to(reply.trouble);
     for (Json const& row : json.at("results"))
-        reply.results.emplace_back(row.at(0).get<std::size_t>(), sweeps::result_from_json(row.at(1)));
+        reply.results.emplace_back(row.at(0).get<std::size_t>(), row.at(1).get<sweeps::PointResult>());
     return reply;
 }
 
 Sweeper::Sweeper(SweepRequest const& request, sweeps::Sweep const& sweep,
                  std::vector<sweeps::PointIdentity> const& identities, std::vector<std::size_t> const& points,
-                 sweeps::SweepFolder const& folder, sweeps::Journal& journal)
+                 sweeps::SweepFolder const& folder, sweeps::Journal<sweeps::PointResult>& journal)
     : request_(request),
       sweep_(sweep),
       identities_(identities),

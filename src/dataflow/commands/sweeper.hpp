@@ -45,7 +45,7 @@ class Sweeper {
     /// `points`: those to be done, by number.
     Sweeper(SweepRequest const& request, sweeps::Sweep const& sweep,
             std::vector<sweeps::PointIdentity> const& identities, std::vector<std::size_t> const& points,
-            sweeps::SweepFolder const& folder, sweeps::Journal& journal);
+            sweeps::SweepFolder const& folder, sweeps::Journal<sweeps::PointResult>& journal);
 
     /// How many have no result yet.
     std::size_t pending() const { return pending_.size(); }
@@ -67,7 +67,7 @@ class Sweeper {
     sweeps::Sweep const& sweep_;
     std::vector<sweeps::PointIdentity> const& identities_;
     sweeps::SweepFolder const& folder_;
-    sweeps::Journal& journal_;
+    sweeps::Journal<sweeps::PointResult>& journal_;
     std::size_t all_;
     std::vector<sweeps::Schedule::Job> pending_;
     sweeps::Schedule schedule_;

@@ -92,7 +92,7 @@ void EstimateWorker::take(WantedEstimate const& wanted, processes::Outcome const
     }
     if (outcome.output.front() == complaint_mark)
         throw InputError(fmt::format("{}: {}", place_of(wanted), outcome.output.substr(1)));
-    journal_.append(wanted.id, experiments::estimate_result_from_json(Json::parse(outcome.output)));
+    journal_.append({{wanted.id, Json::parse(outcome.output).get<experiments::EstimateResult>()}});
 }
 
 std::string results_of(std::vector<WantedEstimate> const& wanted, experiments::EstimateJournal const& journal,

@@ -94,13 +94,11 @@ Json to_json(PointResult const& result) {
     return json;
 }
 
-PointResult result_from_json(Json const& json) {
-    PointResult result;
+void from_json(Json const& json, PointResult& result) {
     result.status = status_from_name(json.at("status").get<std::string>());
     json.at("message").get_to(result.message);
     for (ResultFigure const& figure : result_figures)
         std::visit([&](auto const member) { json.at(figure.name).get_to(result.*member); }, figure.member);
-    return result;
 }
 
 }  // namespace dataflow::sweeps

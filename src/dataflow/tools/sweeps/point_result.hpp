@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <variant>
@@ -11,6 +12,7 @@ namespace dataflow::sweeps {
 
 /// What came of a point.
 struct PointResult {
+    static constexpr char const* journal_key = "point";  ///< see sweeps::Journal
     enum class Status {
         done,
         deadlock,  ///< a result like any other; `message` says who waits for whom
@@ -32,6 +34,9 @@ struct PointResult {
 
     bool operator==(PointResult const& other) const;
 };
+
+/// Results by the hash of their point (PointIdentity::point).
+using Results = std::map<std::string, PointResult>;
 
 /// A figure of a result, under the name that it has in journals and results.csv.
 struct ResultFigure {
@@ -58,6 +63,6 @@ PointResult failed(std::string const& message);
 
 nlohmann::ordered_json to_json(PointResult const& result);
 /// Throws Json::exception for anything else.
-PointResult result_from_json(nlohmann::ordered_json const& json);
+void from_json(nlohmann::ordered_json const& json, PointResult& result);
 
 }  // namespace dataflow::sweeps

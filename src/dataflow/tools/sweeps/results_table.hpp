@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "dataflow/tools/sweeps/journal.hpp"
 #include "dataflow/tools/sweeps/manifest.hpp"
+#include "dataflow/tools/sweeps/point_result.hpp"
 
 namespace dataflow::sweeps {
 

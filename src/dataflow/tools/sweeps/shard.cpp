@@ -6,6 +6,7 @@
 #include <set>
 
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/tools/sweeps/journal.hpp"
 #include "dataflow/tools/sweeps/sweep_folder.hpp"
 
 namespace dataflow::sweeps {
@@ -61,7 +62,7 @@ Merged merged(std::vector<fs::path> const& folders) {
     all.manifest = read_manifest_of(folders.front());
     for (fs::path const& folder : folders) {
         require_same_sweep(all.manifest, folders.front(), read_manifest_of(folder), folder);
-        for (auto const& [point, result] : read_journal(folder / "journal").results)
+        for (auto const& [point, result] : read_journal<PointResult>(folder / "journal").results)
             add(result, point, folder, all.results);
     }
     all.missing = missing_points(all.manifest, all.results);

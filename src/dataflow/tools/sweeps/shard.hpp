@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "dataflow/tools/sweeps/journal.hpp"
 #include "dataflow/tools/sweeps/manifest.hpp"
 #include "dataflow/tools/sweeps/point_identity.hpp"
+#include "dataflow/tools/sweeps/point_result.hpp"
 
 namespace dataflow::sweeps {
 

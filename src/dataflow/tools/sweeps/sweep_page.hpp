@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "dataflow/tools/sweeps/journal.hpp"
 #include "dataflow/tools/sweeps/manifest.hpp"
+#include "dataflow/tools/sweeps/point_result.hpp"
 
 namespace dataflow::sweeps {
 

@@ -56,10 +56,6 @@ std::int64_t neighbour_depth(Image<std::uint16_t> const& depth, int row, int col
 
 }  // namespace
 
-WindowOffset window_offset(SampleInput const& sample, int window) {
-    return {std::int64_t{sample.centre_row} - window / 2, std::int64_t{sample.centre_col} - window / 2};
-}
-
 void read_window(Stimulus const& stimulus, WindowOffset offset, ObservedWindow& observed) {
     copy_window(stimulus.observed_depth, offset, observed.depth);
     copy_window(stimulus.observed_edges, offset, observed.edges);

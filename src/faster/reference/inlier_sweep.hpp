@@ -13,9 +13,6 @@ struct WindowOffset {
     std::int64_t col = 0;
 };
 
-/// Offset of the W x W window around a sample: its centre - W / 2 (docs/function.md#samples-and-cores).
-WindowOffset window_offset(SampleInput const& sample, int window);
-
 /// The observed images as one window sees them, W x W.
 struct ObservedWindow {
     Image<std::uint16_t> depth;  ///< codes, 0 = no reading or outside the image

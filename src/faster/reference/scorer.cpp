@@ -145,7 +145,8 @@ SampleCounters Scorer::run(std::size_t sample) {
 }
 
 template <class Builder, class Tokens> SampleCounters Scorer::run_with(std::size_t sample, Tokens tokens) {
-    WindowOffset const offset = window_offset(stimulus_.samples.at(sample), stimulus_.window);
+    SampleInput const& input = stimulus_.samples.at(sample);
+    WindowOffset const offset{stimulus_.window_offset(input.centre_row), stimulus_.window_offset(input.centre_col)};
     DepthBuffer depth_buffer(maps_.depth_buffer, stimulus_.fraction);
     Builder edge_map_builder(maps_.edge_map, maps_.object_map);
     WindowSink sink(offset, stimulus_.window, fragment_depth_, depth_buffer, edge_map_builder);

@@ -24,8 +24,6 @@ pictures::PlottedLine line(char const* name, std::vector<IterationRow> const& ro
     return plotted;
 }
 
-std::int64_t window_begin(std::int32_t centre, int window) { return std::int64_t{centre} - window / 2; }
-
 }  // namespace
 
 Image<Colour> estimate_plots(std::vector<IterationRow> const& rows) {
@@ -53,8 +51,10 @@ Image<Colour> estimate_plots(std::vector<IterationRow> const& rows) {
 EstimatePictures::EstimatePictures(Stimulus observed, AcceleratorConfig const& config, Pose const& shown)
     : stimulus_(std::move(observed)), config_(config) {
     workload::set_poses({shown}, stimulus_);
-    top_ = window_begin(stimulus_.samples.front().centre_row, stimulus_.window);
-    left_ = window_begin(stimulus_.samples.front().centre_col, stimulus_.window);
+    SampleInput const& sample = stimulus_.samples.front();
+    top_ = stimulus_.window_offset(sample.centre_row);
+    left_ = stimulus_.window_offset(sample.centre_col);
+    observed_edges_ = pictures::observed_edges_in_window(stimulus_, sample);
 }
 
 void EstimatePictures::mark(Pose const& pose, Image<std::uint8_t>& contours, Image<std::uint8_t>* object) {
@@ -63,8 +63,8 @@ void EstimatePictures::mark(Pose const& pose, Image<std::uint8_t>& contours, Ima
     reference::Scorer scorer = estimation::reference_scorer(stimulus_, config_);
     scorer.run(0);
     SampleMaps const& maps = scorer.maps();
-    std::int64_t const down = window_begin(sample.centre_row, stimulus_.window) - top_;
-    std::int64_t const right = window_begin(sample.centre_col, stimulus_.window) - left_;
+    std::int64_t const down = stimulus_.window_offset(sample.centre_row) - top_;
+    std::int64_t const right = stimulus_.window_offset(sample.centre_col) - left_;
     for (int row = 0; row < maps.edge_map.height(); ++row)
         for (int col = 0; col < maps.edge_map.width(); ++col) {
             std::int64_t const r = row + down, c = col + right;
@@ -78,16 +78,11 @@ void EstimatePictures::mark(Pose const& pose, Image<std::uint8_t>& contours, Ima
 }
 
 Image<Colour> EstimatePictures::picture(DrawnIteration const& iteration) {
-    Image<std::uint8_t> contours(stimulus_.window, stimulus_.window), object = contours, observed = contours;
+    Image<std::uint8_t> contours(stimulus_.window, stimulus_.window), object = contours;
     for (Pose const& pose : iteration.poses)
         mark(pose, contours, nullptr);
     mark(iteration.best, contours, &object);
-    for (int row = 0; row < observed.height(); ++row)
-        for (int col = 0; col < observed.width(); ++col)
-            if (std::int64_t const r = row + top_, c = col + left_;
-                r >= 0 && c >= 0 && r < stimulus_.height && c < stimulus_.width)
-                observed.at(row, col) = stimulus_.observed_edges.at(static_cast<int>(r), static_cast<int>(c));
-    return pictures::overlay(contours, object, observed);
+    return pictures::overlay(contours, object, observed_edges_);
 }
 
 void EstimatePictures::write(std::filesystem::path const& folder, std::vector<DrawnIteration> const& iterations) {

@@ -44,6 +44,7 @@ class EstimatePictures {
     AcceleratorConfig config_;
     std::int64_t top_ = 0;  ///< of the shown part, in the image; it may leave it
     std::int64_t left_ = 0;
+    Image<std::uint8_t> observed_edges_;  ///< in the shown part
 };
 
 }  // namespace faster

@@ -42,8 +42,8 @@ bool covers(TriangleCode const& triangle, std::int64_t x, std::int64_t y) {
 Image<std::uint8_t> silhouette(std::vector<TriangleCode> const& triangles, Stimulus const& stimulus,
                                SampleInput const& sample) {
     Image<std::uint8_t> mask(stimulus.window, stimulus.window);
-    int const row_offset = sample.centre_row - stimulus.window / 2;
-    int const col_offset = sample.centre_col - stimulus.window / 2;
+    int const row_offset = stimulus.near_window_offset(sample.centre_row);
+    int const col_offset = stimulus.near_window_offset(sample.centre_col);
     std::int64_t const pixel = std::int64_t{1} << stimulus.fraction.vertex_xy;
     for (TriangleCode const& triangle : triangles) {
         Box const box = box_of(triangle, stimulus.fraction.vertex_xy);

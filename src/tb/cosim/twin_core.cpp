@@ -41,13 +41,13 @@ template <class Core> void set_common(Core& core, TwinSettings const& settings) 
 
 /// Pixels of the window whose observed depth is at most 3 m, but for its border.
 std::uint32_t valid_depths(Stimulus const& stimulus, SampleInput const& sample) {
+    int const top = stimulus.near_window_offset(sample.centre_row);
+    int const left = stimulus.near_window_offset(sample.centre_col);
     std::uint32_t count = 0;
     for (int row = 1; row + 1 < stimulus.window; ++row)
         for (int col = 1; col + 1 < stimulus.window; ++col) {
-            int const image_row = sample.centre_row - stimulus.window / 2 + row;
-            int const image_col = sample.centre_col - stimulus.window / 2 + col;
-            unsigned const depth = stimulus.observed_depth.contains(image_row, image_col)
-                                       ? stimulus.observed_depth.at(image_row, image_col)
+            unsigned const depth = stimulus.observed_depth.contains(top + row, left + col)
+                                       ? stimulus.observed_depth.at(top + row, left + col)
                                        : 0U;
             count += depth <= 3U << stimulus.fraction.depth_buffer ? 1U : 0U;
         }

@@ -25,8 +25,8 @@ bool is_observed_edge(Stimulus const& stimulus, std::int64_t row, std::int64_t c
 Image<std::uint8_t> observed_edges_in_window(Stimulus const& stimulus, SampleInput const& sample) {
     int const side = stimulus.window;
     Image<std::uint8_t> window(side, side);
-    std::int64_t const top = std::int64_t{sample.centre_row} - side / 2;
-    std::int64_t const left = std::int64_t{sample.centre_col} - side / 2;
+    std::int64_t const top = stimulus.window_offset(sample.centre_row);
+    std::int64_t const left = stimulus.window_offset(sample.centre_col);
     for (int row = 0; row < side; ++row)
         for (int col = 0; col < side; ++col)
             window.at(row, col) = is_observed_edge(stimulus, top + row, left + col) ? 1 : 0;

@@ -320,6 +320,20 @@ TEST_CASE("Where block RAM is nearly free, a memory may be cheaper than a shift 
     CHECK(memories > 0);
 }
 
+TEST_CASE("A memory deeper than all tokens of a run is the answer where it costs least", "[sizing]") {
+    Case const one = random_case(220);
+    SizingOptions options = within(5);
+    options.weights.luts_per_ramb36 = 1;
+    Sizing const sizing = one.size(options);
+    CHECK(sizing.answer.cost <= sizing.unbounded.cost);
+    check_certificate(one, sizing);
+    bool is_deeper_than_unbounded = false;
+    for (std::size_t i = 0; i < fifo_count; ++i)
+        is_deeper_than_unbounded =
+            is_deeper_than_unbounded || sizing.answer.choice[i].depth > sizing.unbounded.choice[i].depth;
+    CHECK(is_deeper_than_unbounded);
+}
+
 TEST_CASE("A search that is given up says what it does not know", "[sizing]") {
     std::size_t given_up = 0;
     for (std::uint64_t seed = 205; seed < 213; ++seed) {

@@ -13,14 +13,25 @@ struct Range {
     std::uint64_t deepest;
 };
 
+/// Of `auto`; deeper ones are memories.
+std::uint64_t deepest_shift_register(FifoFreedom const& fifo) {
+    std::uint64_t shift_register = 1;
+    std::uint64_t beyond = most_depth + 1;
+    while (beyond - shift_register > 1) {
+        std::uint64_t const middle = (shift_register + beyond) / 2;
+        (fifo.at_depth(middle).kind == FifoKind::shift_register ? shift_register : beyond) = middle;
+    }
+    return shift_register;
+}
+
+/// Up to `depth`. `auto` may be a memory in any case, which can cost less than a shift register that is less deep.
 std::vector<Range> ranges_of(FifoFreedom const& fifo, std::uint64_t depth) {
     if (fifo.kind != FifoKind::automatic)
         return {{fifo.kind, 1, depth}};
-    std::vector<Range> ranges{{FifoKind::shift_register, 1, 1}};
-    while (ranges[0].deepest < depth && fifo.at_depth(ranges[0].deepest + 1).kind == FifoKind::shift_register)
-        ++ranges[0].deepest;
-    if (ranges[0].deepest < depth)
-        ranges.push_back({FifoKind::memory, ranges[0].deepest + 1, depth});
+    std::uint64_t const deepest = deepest_shift_register(fifo);
+    std::vector<Range> ranges{{FifoKind::shift_register, 1, std::min(depth, deepest)}};
+    if (deepest < most_depth)
+        ranges.push_back({FifoKind::memory, deepest + 1, std::max(depth, deepest + 1)});
     return ranges;
 }
 

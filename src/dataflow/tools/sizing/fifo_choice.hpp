@@ -64,7 +64,7 @@ struct Level {
     double cost = 0;  ///< in LUTs
 };
 
-/// The levels of a FIFO, the cheapest first. No deeper than `depth`.
+/// The levels of a FIFO, the cheapest first. No deeper than `depth`, but for the shallowest memory that `auto` can be.
 std::vector<Level> levels_of(FifoFreedom const& fifo, std::uint64_t depth, CostWeights const& weights);
 
 }  // namespace dataflow::sizing

@@ -211,6 +211,13 @@ TEST_CASE("Figures of all cores are sums, of shapes and occupancies the largest"
     CHECK(found.find("samples.0.latency_cycles") == 10);
 }
 
+TEST_CASE("A block RAM has the ports of all its banks, as in summary.json") {
+    faster::AcceleratorConfig config;
+    config.memory("depth_buffer").partition = {dataflow::PartitionType::cyclic, 2, 0};
+    Figures const found = run_figures(faster::testing::idle_run(faster::testing::raster_machine(config), 1));
+    CHECK(found.find("brams.depth_buffer.ports") == 8);
+}
+
 TEST_CASE("Times are for figures in cycles only") {
     for (char const* const name : {"total_cycles", "samples.0.start_cycle", "modules.rasterizer.stalls.vertex",
                                    "loops.rasterizer.scan.depth", "fifos.vertex.write_latency"})

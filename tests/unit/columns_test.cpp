@@ -24,8 +24,7 @@ std::string row_of(std::string const& name, ColumnFacts const& column) {
 template <class Table> std::string rows_of(Table const& columns) {
     std::string rows;
     for (ColumnFacts const& column : columns)
-        if (column.is_in_json())
-            rows += row_of(column.name, column);
+        rows += row_of(column.name, column);
     return rows;
 }
 

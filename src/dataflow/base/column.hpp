@@ -22,7 +22,6 @@ enum class WrittenTo {
     all,  ///< CSV, JSON and budgets
     json_and_budgets,
     json,
-    budgets,
 };
 
 /// All that the tables of figures have to know about a column, whatever its rows are.
@@ -37,7 +36,6 @@ struct ColumnFacts {
     /// Whether the figures of several cores add up. Otherwise the largest stands for all.
     bool is_summed() const { return tells == Tells::work || tells == Tells::waiting || tells == Tells::result; }
     bool is_in_csv() const { return written == WrittenTo::all; }
-    bool is_in_json() const { return written != WrittenTo::budgets; }
     /// A column of figures; keys and texts are no figures.
     bool is_in_budgets() const { return tells != Tells::key && written != WrittenTo::json; }
     bool is_compared_in(std::string_view list) const { return compared_in != nullptr && compared_in == list; }

@@ -97,7 +97,6 @@ struct MemoryRow : MemoryShape {
     Cycles port_conflict_cycles = 0;
     bool decides_intervals = true;  ///< its ports do; not those of line buffers, which a loop shifts
 
-    std::uint64_t ports_of_bank() const { return ports / partition; }
     double ramb36() const { return ramb36_count(*this); }
     std::string const& name() const { return bram; }
 };
@@ -111,8 +110,7 @@ inline constexpr Column<MemoryRow> memory_columns[]{
     {"banks", "-", &MemoryRow::partition, Tells::shape, "that share the words", nullptr, WrittenTo::json},
     {"buffers", "-", &MemoryRow::buffers, Tells::shape, "how often all of this is there", nullptr, WrittenTo::json},
     {"ports", "-", &MemoryRow::ports, Tells::shape, "accesses per cycle, of all banks of a buffer together", nullptr,
-     WrittenTo::json},
-    {"ports", "-", &MemoryRow::ports_of_bank, Tells::shape, "of a bank, as configured", nullptr, WrittenTo::budgets},
+     WrittenTo::json_and_budgets},
     {"ramb36", "RAMB36", &MemoryRow::ramb36, Tells::shape, "36 Kbit block RAMs that it takes, all buffers together",
      nullptr, WrittenTo::json},
     {"port_conflict_cycles", "cycles", &MemoryRow::port_conflict_cycles, Tells::work, "of the loops that it limits",

@@ -9,8 +9,7 @@ namespace dataflow::report {
 template <class Row, std::size_t N> Json json_row(Columns<Row, N> columns, Row const& row) {
     Json object;
     for (Column<Row> const& column : columns)
-        if (column.is_in_json())
-            object[column.name] = with_value(column, row, [](auto const& value) { return Json(value); });
+        object[column.name] = with_value(column, row, [](auto const& value) { return Json(value); });
     return object;
 }
 Json json_row(ModuleRow const& module);

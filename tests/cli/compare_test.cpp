@@ -165,7 +165,7 @@ TEST_CASE("Comparing with a folder without a run is refused") {
     runs.check_refused({"a"}, {"run_b", "required"});
     runs.check_refused({"a", "a", "--top", "-1"}, {"--top"});
     runs.check_refused({"a", "a", "--top", "some"}, {"--top"});
-    for (std::string const file : {"samples.csv", "fifos.csv", "loops.csv"}) {
+    for (std::string const file : {"samples.csv", "fifos.csv", "loops.csv", "all_loops.csv"}) {
         fs::rename(runs.folder() / ("a/" + file), runs.folder() / "aside");
         runs.check_refused({"a", "a"}, {"a/" + file + ": no such file"});
         fs::rename(runs.folder() / "aside", runs.folder() / ("a/" + file));
@@ -196,7 +196,7 @@ TEST_CASE("Comparing with a run of another design says so") {
 TEST_CASE("Comparing with a file that was cut off is refused, wherever the cut is") {
     Runs const runs;
     runs.run("a", traces / "one_triangle");
-    for (std::string const file : {"summary.json", "samples.csv", "fifos.csv", "loops.csv"}) {
+    for (std::string const file : {"summary.json", "samples.csv", "fifos.csv", "loops.csv", "all_loops.csv"}) {
         std::string const whole = runs.text("a/" + file);
         for (int part = 0; part < 8; ++part) {
             CAPTURE(file, part);
@@ -216,6 +216,8 @@ TEST_CASE("Comparing with tables that are wrong or contradict each other is refu
     check_edited_run_refused("fifos.csv", "shift_register,2", "shift_register,two", {"a/fifos.csv:2: column depth"});
     check_edited_run_refused("summary.json", "\"samples\": 1", "\"samples\": 2", {"a/samples.csv: 1 rows, expected 2"});
     check_edited_run_refused("loops.csv", "1,rasterizer", "0,rasterizer", {"a/loops.csv:"});
+    check_edited_run_refused("all_loops.csv", "vertex_transform,vertex,1", "vertex_transform,vertex,2",
+                             {"a/all_loops.csv:", "column ii_target = 2, expected 1 as in summary.json"});
 }
 
 }  // namespace compare_test

@@ -188,15 +188,17 @@ std::vector<SampleStatistics> read_samples(fs::path const& path, RunRecord const
     return records;
 }
 
-/// fifos.csv and loops.csv tell again what stands in the summary. If they tell something else (a file cut off, edited,
-/// or of another run), nobody can say which is right: InputError. Loops that loops.csv leaves out for every core are
-/// fine.
-void check_fifos(fs::path const& path, RunRecord const& run) {
+/// fifos.csv, loops.csv and all_loops.csv tell again what stands in the summary. If they tell something else (a file
+/// cut off, edited, or of another run), nobody can say which is right: InputError. Loops that loops.csv leaves out for
+/// every core are fine.
+template <class Row, std::size_t N>
+void check_all(fs::path const& path, Columns<Row, N> columns, std::vector<Row> const& expected,
+               std::string const& what) {
     std::size_t rows = 0;
-    for (auto const& core : ExpectedRows(fifo_columns, run.fifos).check(path))
+    for (auto const& core : ExpectedRows(columns, expected).check(path))
         rows += core.second;
-    if (rows != run.fifos.size())
-        fail_rows(path, rows, fmt::format("{}, the FIFOs of summary.json", run.fifos.size()));
+    if (rows != expected.size())
+        fail_rows(path, rows, fmt::format("{}, the {} of summary.json", expected.size(), what));
 }
 
 void check_loops(fs::path const& path, RunRecord const& run) {
@@ -332,8 +334,10 @@ RunRecord read_run(std::filesystem::path const& folder) {
     run.folder = folder.string();
     require_own_design(folder, program_of(document));
     run.samples = read_samples(folder / "samples.csv", run, figure(summary.at("samples")));
-    check_fifos(folder / "fifos.csv", run);
+    check_all(folder / "fifos.csv", fifo_columns, run.fifos, "FIFOs");
     check_loops(folder / "loops.csv", run);
+    if (document.contains("made_by"))  // summaries have it since there is the file
+        check_all(folder / "all_loops.csv", loop_columns, run.loops, "loops");
     return run;
 }
 

@@ -409,6 +409,9 @@ TEST_CASE("Perfetto drops no slice of a timeline", "[timeline]") {
             "edge_heavy", {"--timeline", "t.json", "--timeline-samples", "9", "--set", "accelerator.clock_mhz=170"}));
         auto const timeline = nlohmann::json::parse(waves.text("t.json"));
         CHECK(dropped_slices(timeline).empty());
+        for (auto const& slice : timeline.at("traceEvents"))
+            if (slice.at("ph") == "X")
+                REQUIRE(slice.at("args").at("begin_cycle") <= slice.at("args").at("end_cycle"));
         CHECK(count_of(timeline, "cat", "sample") == 5);
         bool const has_memory = config == "faster_zcu102_memory.yaml";
         CHECK((count_of(timeline, "name", "busy") > 10) == has_memory);

@@ -39,6 +39,7 @@ class Maker {
         for (std::size_t port = 0; port < before_.size(); ++port) {
             if (before_[port].reads > 0)
                 busy_until(port, to_ + 1);
+            drop_empty(timeline_.ports[port].busy);
             timeline_.ports[port].waiting = waiting_[port].finish();
         }
         timeline_.queue = queue_.finish();
@@ -56,11 +57,15 @@ class Maker {
             timeline_.ports[number].busy.back().bytes += port.bytes - before_[number].bytes;
         before_[number] = port;
     }
+    /// The last, if it was over before the first cycle.
+    static void drop_empty(std::vector<MemoryTimeline::Span>& busy) {
+        if (!busy.empty() && busy.back().end == busy.back().begin)
+            busy.pop_back();
+    }
     void busy_from(std::size_t port, Cycles cycle) {
         std::vector<MemoryTimeline::Span>& busy = timeline_.ports[port].busy;
         Cycles const begin = std::max(cycle, from_);
-        if (!busy.empty() && busy.back().end == busy.back().begin)
-            busy.pop_back();  // was over before the first cycle
+        drop_empty(busy);
         if (busy.empty() || begin > busy.back().end + grain_)
             busy.push_back({begin, begin, 0});
     }
@@ -130,7 +135,8 @@ class TimelineWriter {
         for (std::size_t port = 0; port < memory.ports.size(); ++port) {
             name("thread_name", port, fmt::format("port {}", port));
             for (MemoryTimeline::Span const& span : memory.ports[port].busy)
-                add_slice(port, "busy", "memory", span.begin, span.end, fmt::format(R"("bytes":{})", span.bytes));
+                add_slice(port, "busy", "memory", span.begin, span.end,
+                          fmt::format(R"({},"bytes":{})", cycles_of(span), span.bytes));
             add_counter(fmt::format("port {} waiting", port), "requests", memory.ports[port].waiting);
         }
         add_counter("controller queue", "bursts", memory.queue);
@@ -165,22 +171,25 @@ class TimelineWriter {
             put(R"({{"name":{},"ph":"C","pid":{},"ts":{},"args":{{"{}":{}}}}})", quoted_text, process_,
                 microseconds(ns(point.cycle)), unit, point.tokens);
     }
+    template <class Span> static std::string cycles_of(Span const& span) {
+        return fmt::format(R"("begin_cycle":{},"end_cycle":{})", span.begin, span.end - 1);
+    }
     /// Samples overlap: the next is drawn while one is swept. Returns how many tracks they take.
     std::size_t add_samples(CoreTimeline const& core) {
         Lanes lanes;
         for (CoreTimeline::Sample const& sample : core.samples)
-            add_slice(lanes.take(sample.begin, sample.end), fmt::format("sample {}", sample.sample), "sample",
-                      sample.begin, sample.end,
-                      fmt::format(R"("begin_cycle":{},"end_cycle":{},"sample":{},"complete":{})", sample.begin,
-                                  sample.end - 1, sample.sample, sample.complete));
+            add_slice(
+                lanes.take(sample.begin, sample.end), fmt::format("sample {}", sample.sample), "sample", sample.begin,
+                sample.end,
+                fmt::format(R"({},"sample":{},"complete":{})", cycles_of(sample), sample.sample, sample.complete));
         for (std::size_t lane = 0; lane < lanes.count(); ++lane)
             name("thread_name", lane, lane == 0 ? "samples" : fmt::format("samples {}", lane + 1));
         return lanes.count();
     }
     void add_span(CoreTimeline const& timeline, std::size_t track, TimelineSpan const& span) {
         bool const is_loop = span.kind == TimelineSpan::Kind::loop;
-        std::string const cycles = fmt::format(R"("begin_cycle":{},"end_cycle":{},"{}":{})", span.begin, span.end - 1,
-                                               is_loop ? "iterations" : "stalled_cycles", span.count);
+        std::string const cycles =
+            fmt::format(R"({},"{}":{})", cycles_of(span), is_loop ? "iterations" : "stalled_cycles", span.count);
         if (is_loop)
             return add_slice(track, timeline.machine->loops[span.item].name, "loop", span.begin, span.end, cycles);
         if (span.kind == TimelineSpan::Kind::memory_stall)

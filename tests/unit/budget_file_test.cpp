@@ -15,10 +15,11 @@ using faster::test::input_error_text;
 using faster::test::TempFolder;
 
 std::string const head = "format: faster-budget\nversion: 1\nconfiguration: ../design.yaml\n";
-std::string const baseline =
-    "baseline:\n  date: 2026-01-02\n  reason: \"first run\"\n  configuration: fnv1a64:0\n"
-    "  accelerator: {accelerator.raster_cores: 1}\n"
-    "  figures:\n    total_cycles: 4111\n    fifos.vertex: {depth: 2, full_stall_cycles: 7}\n";
+std::string const hash = "fnv1a64:0123456789abcdef";
+std::string const baseline = "baseline:\n  date: 2026-01-02\n  reason: \"first run\"\n  configuration: " + hash +
+                             "\n"
+                             "  accelerator: {accelerator.raster_cores: 1}\n"
+                             "  figures:\n    total_cycles: 4111\n    fifos.vertex: {depth: 2, full_stall_cycles: 7}\n";
 
 /// Four lines stand before those of `limits`, which are indented already.
 std::string with_limits(std::string const& limits) { return head + "limits:\n" + limits + baseline; }
@@ -128,10 +129,17 @@ TEST_CASE("A malformed budget is refused with file and line") {
         {with_limits("  total_cycles: {max: 5}\n") + "set:\n  accelerator.window: 0\n",
          "b.yaml:15: set.accelerator.window=0: expected an integer"},
         {with_limits("  total_cycles: {max: 5}\n") + "time_limit_s: 0\n", "time_limit_s = 0, expected seconds"},
-        {head + "limits: {total_cycles: {max: 5}}\nbaseline: {date: x, reason: y, configuration: z}\n",
+        {head + "limits: {total_cycles: {max: 5}}\nbaseline: {date: 2026-01-02, reason: y, configuration: " + hash +
+             "}\n",
          "b.yaml:5: baseline: no key figures"},
-        {head + "limits: {total_cycles: {max: 5}}\nbaseline: {date: x, reason: y, configuration: z, figures: {a: b}}\n",
+        {head + "limits: {total_cycles: {max: 5}}\nbaseline: {date: 2026-01-02, reason: y, configuration: " + hash +
+             ", figures: {a: b}}\n",
          "b.yaml:5: baseline.figures.a = b, expected a whole number"},
+        {head + "limits: {total_cycles: {max: 5}}\nbaseline: {date: 2026-02-29}\n",
+         "b.yaml:5: baseline.date = 2026-02-29, expected a date, YYYY-MM-DD"},
+        {head + "limits: {total_cycles: {max: 5}}\nbaseline: {date: 2028-02-29, configuration: fnv:0}\n",
+         "b.yaml:5: baseline.configuration = fnv:0, expected fnv1a64: and 16 hexadecimal digits"},
+        {with_limits("  total_cycles: {max: 9007199254740992}\n"), "expected a whole number up to 9007199254740991"},
         {"- 3\n", "b.yaml:1: a list of 1, expected a budget"},
         {"a: [\n", "expected well-formed YAML"},
     };
@@ -149,7 +157,7 @@ TEST_CASE("A budget without a baseline is fine where one is about to be written"
 TEST_CASE("A baseline reads back as it was written") {
     Baseline written{"2026-03-04",
                      "a \"quoted\" reason: # 5 \\ \n two lines",
-                     "fnv1a64:1f",
+                     "fnv1a64:000000000000001f",
                      {{"accelerator.raster_cores", "2"}, {"accelerator.fifos.vertex.kind", "memory"}},
                      {}};
     written.figures.set("total_cycles", 12);

@@ -12,7 +12,7 @@ using Catch::Matchers::Contains;
 using faster::test::input_error_text;
 
 Baseline new_baseline() {
-    Baseline baseline{"2026-05-06", "deeper FIFO # not a comment", "fnv1a64:2", {}, {}};
+    Baseline baseline{"2026-05-06", "deeper FIFO # not a comment", "fnv1a64:0000000000000002", {}, {}};
     baseline.figures.set("total_cycles", 99);
     baseline.figures.set("fifos.vertex.depth", 4);
     baseline.figures.set("fifos.vertex.writes", 8);
@@ -20,7 +20,7 @@ Baseline new_baseline() {
 }
 
 std::string const new_lines =
-    "  date: 2026-05-06\n  reason: \"deeper FIFO # not a comment\"\n  configuration: fnv1a64:2\n  accelerator: {}\n"
+    "  date: 2026-05-06\n  reason: \"deeper FIFO # not a comment\"\n  configuration: fnv1a64:0000000000000002\n  accelerator: {}\n"
     "  figures:\n    total_cycles: 99\n    fifos.vertex: {depth: 4, writes: 8}\n";
 
 std::string const old_lines =
@@ -49,7 +49,7 @@ TEST_CASE("Comments inside the baseline stay where they were") {
         "    # gone with its FIFO\n    fifos.area: {depth: 2}  # too\n    # last\n";
     std::string const expected =
         "a: 1\nbaseline:  # ours\n  # when\n  date: 2026-05-06\n  reason: \"deeper FIFO # not a comment\"  # by M.\n"
-        "  configuration: fnv1a64:2\n  accelerator: {}\n  figures:\n    # the total\n    total_cycles: 99  # 25 ns\n"
+        "  configuration: fnv1a64:0000000000000002\n  accelerator: {}\n  figures:\n    # the total\n    total_cycles: 99  # 25 ns\n"
         "    fifos.vertex: {depth: 4, writes: 8}\n    # gone with its FIFO\n  # too\n    # last\n";
     CHECK(replaced(old) == expected);
     CHECK(replaced(replaced(old)).find("# when") != std::string::npos);

@@ -1,7 +1,11 @@
 #include "dataflow/tools/budgets/baseline_reader.hpp"
 
 #include <algorithm>
-#include <array>
+#include <ctime>
+#include <fmt/chrono.h>
+#include <iomanip>
+#include <sstream>
+#include <string_view>
 
 #include "dataflow/run/config/plain_text.hpp"
 #include "dataflow/run/config/value_reader.hpp"
@@ -11,6 +15,19 @@ namespace dataflow::budgets {
 namespace {
 
 constexpr char const* expected_keys = "expected date, reason, configuration, accelerator and figures";
+
+/// A day of the calendar.
+bool is_date(std::string const& text) {
+    std::tm day{};
+    std::istringstream(text) >> std::get_time(&day, "%Y-%m-%d");
+    return fmt::format("{:%Y-%m-%d}", fmt::gmtime(timegm(&day))) == text;
+}
+
+bool is_hash(std::string_view text) {
+    constexpr std::string_view begin = "fnv1a64:";
+    return text.size() == begin.size() + 16 && text.substr(0, begin.size()) == begin &&
+           text.find_first_not_of("0123456789abcdef", begin.size()) == text.npos;
+}
 
 class BaselineReader {
   public:
@@ -36,11 +53,11 @@ class BaselineReader {
   private:
     void read_entry(MapEntry const& entry) {
         if (entry.name == "date")
-            read_text(entry, baseline_.date);
+            read_text(entry, baseline_.date, "a date, YYYY-MM-DD", is_date);
         else if (entry.name == "reason")
-            read_text(entry, baseline_.reason);
+            read_text(entry, baseline_.reason, "text", [](auto const& text) { return !text.empty(); });
         else if (entry.name == "configuration")
-            read_text(entry, baseline_.configuration);
+            read_text(entry, baseline_.configuration, "fnv1a64: and 16 hexadecimal digits", is_hash);
         else if (entry.name == "accelerator")
             read_settings(entry);
         else if (entry.name == "figures")
@@ -50,9 +67,10 @@ class BaselineReader {
                 {entry.line, "baseline." + entry.name, std::nullopt, std::string("unknown key, ") + expected_keys});
     }
 
-    void read_text(MapEntry const& entry, std::string& text) {
-        if (!entry.value.IsScalar() || entry.value.Scalar().empty())
-            faults_.push_back({entry.line, "baseline." + entry.name, shown(entry.value), "expected text"});
+    template <class Is>
+    void read_text(MapEntry const& entry, std::string& text, std::string const& expected, Is const& is_sound) {
+        if (!entry.value.IsScalar() || !is_sound(entry.value.Scalar()))
+            faults_.push_back({entry.line, "baseline." + entry.name, shown(entry.value), "expected " + expected});
         else
             text = entry.value.Scalar();
     }

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double largest_count = 9007199254740991;  // 2^53 - 1, as in summary.json
 
-std::string const unit_help = "a whole number, a time like 1.5 ms or 200 us, or baseline";
+std::string const unit_help = "a whole number up to 9007199254740991, a time like 1.5 ms or 200 us, or baseline";
 
 bool is_plain(YAML::Node const& node) { return node.IsScalar() && (node.Tag().empty() || node.Tag() == "?"); }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "dataflow/base/portable_math.hpp"
@@ -105,15 +106,16 @@ TEST_CASE("Random quadrilaterals keep their area", "[polygon_cutter]") {
         check_cover_from_all_corners(random_star(4, random));
 }
 
-/// The outline comes back to a corner: at once, or after a spike that is infinitely thin.
-Corners with_corners_named_twice(Corners const& corners, bool with_spikes, std::mt19937& random) {
+/// The outline comes back to a corner: at once, or after a spike that is infinitely thin and reaches to `tip` times as
+/// far from the middle as the corner.
+Corners with_corners_named_twice(Corners const& corners, std::optional<double> tip, std::mt19937& random) {
     Corners result;
     for (Eigen::Vector3d const& corner : corners) {
         result.push_back(corner);
         if (random() % 4 > 0)
             continue;
-        if (with_spikes)
-            result.emplace_back(corner.x() / 2, corner.y() / 2, 0);  // into the star
+        if (tip)
+            result.emplace_back(*tip * corner.x(), *tip * corner.y(), 0);
         result.push_back(corner);
     }
     return result;
@@ -128,13 +130,25 @@ TEST_CASE("Corners that are named twice, and spikes, cover nothing more", "[poly
         check_cover_from_all_corners(corners);
     }
     auto const seed = std::random_device{}();
-    bool const with_spikes = GENERATE(false, true);
-    CAPTURE(seed, with_spikes);
+    std::optional<double> const tip = GENERATE(std::nullopt, std::optional(0.5), std::optional(2.0));
+    CAPTURE(seed, tip.value_or(1));
     std::mt19937 random(seed);
     for (int round = 0; round < 100; ++round) {
         Corners const star = random_star(5 + static_cast<int>(random() % 30), random);
-        check_cover_from_all_corners(with_corners_named_twice(star, with_spikes, random));
+        check_cover_from_all_corners(with_corners_named_twice(star, tip, random));
     }
+}
+
+TEST_CASE("Spikes in any direction, along a side as well, cover nothing", "[polygon_cutter]") {
+    check_cover_from_all_corners(flat({{-1, -1}, {1, -1}, {1, 1}, {1, 2}, {1, 1}, {-1, 1}}));          // straight on
+    check_cover_from_all_corners(flat({{-1, -1}, {1, -1}, {1, 1}, {0, 0}, {1, 1}, {-1, 1}}));          // inwards
+    check_cover_from_all_corners(flat({{-1, -1}, {1, -1}, {1.5, -1}, {1, -1}, {1, 1}, {-1, 1}}));      // on
+    check_cover_from_all_corners(flat({{-1, -1}, {1, -1}, {0.5, -1}, {1, -1}, {1, 1}, {-1, 1}}));      // and back
+    check_cover_from_all_corners(flat({{-1, -1}, {1, -1}, {1, 1}, {1, 3}, {1, 2}, {1, 1}, {-1, 1}}));  // in steps
+    check_cover_from_all_corners(flat(
+        {{-1, -1}, {1, -1}, {1, 1}, {1, 2}, {3, 2}, {1, 2}, {0, 3}, {0, 3}, {1, 2}, {1, 1}, {-1, 1}}));  // branched
+    check_cover_from_all_corners(flat({{0, 0}, {2, 0}, {1, 0}, {1, 1}}));
+    check_cover_from_all_corners(flat({{0, 0}, {2, 0}, {1, 0}, {1, 1}, {0, 1}}));
 }
 
 TEST_CASE("An outline that crosses itself gets triangles all the same", "[polygon_cutter]") {

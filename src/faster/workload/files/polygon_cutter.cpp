@@ -51,28 +51,28 @@ class EarCutter {
         : points_(std::move(points)),
           next_(points_.size()),
           previous_(points_.size()),
+          left_(points_.size()),
           is_in_the_way_(points_.size(), false) {
         std::size_t const n = points_.size();
         for (std::size_t i = 0; i < n; ++i) {
             next_[i] = (i + 1) % n;
             previous_[i] = (i + n - 1) % n;
         }
-        for (std::size_t i = 0; i < n; ++i)
-            note(i);
     }
 
     std::vector<CornerTriple> triangles() {
-        std::vector<CornerTriple> cut;
-        std::size_t left = points_.size(), corner = 0, refused = 0;
+        std::size_t corner = cut_off_spikes(), refused = 0;
+        for (std::size_t i = 0; i < left_; ++i, corner = next_[corner])
+            note(corner);
         auto rule = Rule::clear;
-        while (left > 3) {
+        while (left_ > 3) {
             if (may_go(corner, rule)) {
-                cut.push_back({previous_[corner], corner, next_[corner]});
                 cut_off(corner);
-                --left;
+                note(previous_[corner]);  // where the rules were relaxed, a convex one may be concave now
+                note(next_[corner]);
                 refused = 0;
                 rule = Rule::clear;
-            } else if (++refused == left) {
+            } else if (++refused == left_) {
                 refused = 0;
                 rule = rule == Rule::clear ? Rule::touched : rule == Rule::touched ? Rule::convex : Rule::any;
             }
@@ -80,8 +80,8 @@ class EarCutter {
         }
         CornerTriple last{corner, next_[corner], previous_[corner]};
         std::rotate(last.begin(), std::min_element(last.begin(), last.end()), last.end());
-        cut.push_back(last);
-        return cut;
+        cut_.push_back(last);
+        return cut_;
     }
 
   private:
@@ -107,10 +107,36 @@ class EarCutter {
     }
 
     void cut_off(std::size_t corner) {
+        cut_.push_back({previous_[corner], corner, next_[corner]});
         next_[previous_[corner]] = next_[corner];
         previous_[next_[corner]] = previous_[corner];
-        note(previous_[corner]);  // at the foot of a spike, which is a straight corner, a convex one may be concave now
-        note(next_[corner]);
+        --left_;
+    }
+
+    /// A spike has no width: the outline comes back on the line on which it went to its tip. Its foot looks like a
+    /// convex corner, whose triangle would reach to the tip. Returns the corner after the last that was looked at.
+    std::size_t cut_off_spikes() {
+        std::size_t corner = 0, passed = 0;
+        while (left_ > 3 && passed < left_) {
+            if (is_tip(corner)) {
+                cut_off(corner);
+                corner = previous_[corner];  // may be a tip now
+                passed = 0;
+            } else {
+                corner = next_[corner];
+                ++passed;
+            }
+        }
+        return corner;
+    }
+
+    /// Or one of two corners at the same place. A spike in steps that does not lie along an axis is straight but for
+    /// the rounding of coordinates, which are often those of 32-bit floats.
+    bool is_tip(std::size_t corner) const {
+        constexpr double narrow = 1e-6;  // radians
+        Eigen::Vector2d const there = points_[previous_[corner]] - points_[corner],
+                              back = points_[next_[corner]] - points_[corner];
+        return there.dot(back) >= 0 && std::abs(turn_at(corner)) <= narrow * there.norm() * back.norm();
     }
 
     bool may_go(std::size_t corner, Rule rule) const {
@@ -131,6 +157,8 @@ class EarCutter {
 
     Points points_;
     std::vector<std::size_t> next_, previous_;
+    std::size_t left_;  ///< corners that are not cut off
+    std::vector<CornerTriple> cut_;
     std::vector<std::size_t> in_the_way_;
     std::vector<bool> is_in_the_way_;
 };

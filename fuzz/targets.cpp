@@ -14,6 +14,7 @@
 #include "dataflow/tools/compare/read_run.hpp"
 #include "dataflow/tools/sweeps/journal.hpp"
 #include "dataflow/tools/sweeps/manifest.hpp"
+#include "dataflow/tools/sweeps/point_result.hpp"
 #include "dataflow/tools/sweeps/sweep.hpp"
 #include "dataflow/tools/sweeps/sweep_file.hpp"
 #include "faster/dataflow_names.hpp"
@@ -133,7 +134,8 @@ std::vector<Target> const& targets() {
          [](auto bytes) { read_settings_list(file_of("matrix.yaml", bytes), "a: 1"); }},
         {"budget", "a budget", [](auto bytes) { budgets::read_budget(file_of("budget.yaml", bytes)); }},
         {"sweep", "a sweep file", read_sweep},
-        {"journal", "a sweep's journal", [](auto bytes) { sweeps::read_journal(file_of("journal", bytes)); }},
+        {"journal", "a sweep's journal",
+         [](auto bytes) { sweeps::read_journal<sweeps::PointResult>(file_of("journal", bytes)); }},
         {"manifest", "a sweep's sweep.json",
          [](auto bytes) { sweeps::manifest_from_text(std::string(bytes), "sweep.json"); }},
         {"trace", "files of a trace, with lines of %% between them", read_stimulus},

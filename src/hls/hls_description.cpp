@@ -36,6 +36,7 @@ class DiscoveredProcess {
 
     std::vector<LoopMark> const& loops() const { return loops_; }
     bool attempts(Access const& access) const { return recorder_.attempts(access); }
+    std::set<Access> const& attempts() const { return recorder_.attempts(); }
     /// A loop that is not pipelined has a state of its own before its first iteration.
     bool has_start() const { return !begins_with_states_; }
     /// Not one that is only around others.
@@ -80,6 +81,8 @@ class Describer {
         network_.run();
         for (std::size_t i = 0; i < design.processes().size(); ++i)
             processes_.emplace_back(network_.recorder(i), network_.events()[i]);
+        for (std::size_t i = 0; i < processes_.size(); ++i)
+            require_askers_access(i);
         for (untimed::StreamBase const* const stream : design.streams())
             require_used(*stream);
     }
@@ -94,6 +97,25 @@ class Describer {
   private:
     std::string const& name(std::size_t process) const { return design_.processes()[process].name; }
     std::string const& fifo(Access const& access) const { return design_.streams()[access.stream]->name(); }
+
+    /// Only the reader of a stream sees whether it is empty, and only its writer whether it is full. One that has not
+    /// come to read it, as it has found nothing when it asked, is not known to be its reader.
+    void require_askers_access(std::size_t process) const {
+        for (Access const& access : processes_[process].attempts()) {
+            if (processes_[process].accesses(access))
+                continue;
+            std::string const asks = "process " + name(process) + " asks stream " + fifo(access) + " by " +
+                                     (access.writes ? "full()" : "empty()");
+            for (std::size_t other = 0; other < processes_.size(); ++other)
+                if (processes_[other].accesses(access))
+                    throw InputError(asks + ", expected only process " + name(other) + " to, which " +
+                                     (access.writes ? "writes it" : "reads it"));
+            throw InputError(asks + " and does not come to " + (access.writes ? "write" : "read") +
+                             " it, as the run for the description, without time, finds nothing there, expected " +
+                             (access.writes ? "write_nb(), which is a write" : "read_nb(), which is a read") +
+                             " also where it finds nothing, or a loop that asks until it finds something");
+        }
+    }
 
     void require_used(untimed::StreamBase const& stream) const {
         bool const is_read = is_accessed({stream.number(), false});

@@ -60,6 +60,7 @@ class LoopRecorder {
     /// condition of the loop that asks, which is part of an iteration.
     void attempt(Access const& access);
     bool attempts(Access const& access) const { return attempts_.count(access) != 0; }
+    std::set<Access> const& attempts() const { return attempts_; }
     /// In an iteration of the loop, or in its condition.
     bool attempts_in(std::size_t loop, Access const& access) const { return attempts_in_.count({loop, access}) != 0; }
     /// And an iteration of that loop reads behind it.

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <set>
 
+#include "dataflow/base/as_mistake.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "hls/live_function.hpp"
 
@@ -183,8 +184,14 @@ HlsCore::~HlsCore() = default;
 void HlsCore::require_described(std::size_t process, char const* loop, Access const& access, bool is_attempt) const {
     std::string const& stream = design_->streams()[access.stream]->name();
     if (!is_described(machine().processes[process], loop, machine().fifo(stream), access.writes, is_attempt))
-        throw InputError("process " + machine().processes[process].name + (access.writes ? " writes" : " reads") +
-                         " stream " + stream + (is_attempt ? " without waiting" : "") +
+        throw InputError("process " + machine().processes[process].name +
+                         (is_attempt      ? " accesses"
+                          : access.writes ? " writes"
+                                          : " reads") +
+                         " stream " + stream +
+                         (!is_attempt     ? ""
+                          : access.writes ? " by write_nb() or full()"
+                                          : " by read_nb() or empty()") +
                          (loop != nullptr ? " in its loop " + std::string(loop) : "") + ", which it does not" +
                          untimed::expected_defaults);
 }
@@ -207,9 +214,30 @@ bool HlsCore::is_described(MachineProcess const& process, char const* loop, std:
     return true;
 }
 
+/// Functions only run without time where the description has none that does not wait.
+void HlsCore::require_described_attempts(std::size_t process) const {
+    for (Access const& access : recorder(process).attempts())
+        require_described(process, nullptr, access, true);
+}
+
+Counters HlsCore::results_of_design() const {
+    try {
+        return design_->results();
+    } catch (...) {
+        std::rethrow_exception(as_mistake([](char const* what) {
+            return "results() of the design has thrown" +
+                   (what != nullptr ? ": " + std::string(what) : " something that is no std::exception") +
+                   ", expected its counters";
+        }));
+    }
+}
+
 void HlsCore::run_call() {
     design_->set_call(next_call_++);
     network_.run();
+    for (std::size_t i = 0; i < scripts_.size(); ++i)
+        require_described_attempts(i);
+    results_.push_back(results_of_design());
     network_.written().resize(fifos_.size());
     for (std::size_t i = 0; i < scripts_.size(); ++i) {
         HlsScript script{std::move(network_.events()[i]), std::vector<std::vector<std::int64_t>>(fifos_.size())};
@@ -219,12 +247,19 @@ void HlsCore::run_call() {
                     script.written[access.stream] = network_.written()[access.stream];
         scripts_[i].push_back(std::move(script));
     }
-    results_.push_back(design_->results());
 }
 
 HlsScript HlsCore::next_script(std::size_t process) {
-    if (scripts_[process].empty())
-        run_call();
+    if (scripts_[process].empty()) {
+        if (error_)
+            std::rethrow_exception(error_);
+        try {
+            run_call();
+        } catch (...) {
+            error_ = std::current_exception();
+            throw;
+        }
+    }
     HlsScript script = std::move(scripts_[process].front());
     scripts_[process].pop_front();
     return script;
@@ -238,7 +273,7 @@ void HlsCore::begin_live_call(std::size_t call) {
 std::optional<Counters> HlsCore::end_live_call(std::size_t call, std::size_t process) {
     LiveCall& live = live_calls_[call];
     if (process + 1 == scripts_.size() || (live.results && latest_call_ == call))
-        live.results = design_->results();
+        live.results = results_of_design();
     return ++live.functions_over == scripts_.size() ? live.results : std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 // Everything that a program for functions over hls::stream includes; docs/tutorial.md writes one.
 #include <cstdint>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <hls_stream.h>
 #include <map>
@@ -113,6 +114,8 @@ class HlsCore : public SimpleCore {
 
   private:
     void run_call();
+    void require_described_attempts(std::size_t process) const;
+    Counters results_of_design() const;
     bool is_described(MachineProcess const& process, char const* loop, std::size_t fifo, bool writes,
                       bool is_attempt) const;
 
@@ -121,6 +124,7 @@ class HlsCore : public SimpleCore {
     std::vector<std::unique_ptr<ClockedFifo<std::int64_t>>> fifos_;  // by stream
     std::vector<std::deque<HlsScript>> scripts_;                     // by process
     std::deque<Counters> results_;
+    std::exception_ptr error_;  // of a call: modules that have not met it go on, and ask for theirs
     struct LiveCall {
         std::size_t functions_over = 0;
         std::optional<Counters> results;

@@ -87,11 +87,14 @@ class Describer {
             require_used(*stream);
     }
 
-    CoreDescription core() const {
+    HlsDescription description() const {
         std::vector<ModuleDescription> modules;
-        for (std::size_t i = 0; i < processes_.size(); ++i)
+        std::vector<untimed::LoopNames> around;
+        for (std::size_t i = 0; i < processes_.size(); ++i) {
             modules.push_back(module(i));
-        return core_of(std::move(modules));
+            around.push_back(network_.recorder(i).around());
+        }
+        return {core_of(std::move(modules)), std::move(around)};
     }
 
   private:
@@ -220,13 +223,13 @@ class Describer {
 
 }  // namespace
 
-CoreDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make) {
+HlsDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make) {
     Numbers defaults;
     for (DesignNumber const& number : facts.numbers)
         defaults.of(number.key) = number.otherwise;
     defaults.of("workload.samples") = 1;
     std::unique_ptr<HlsDesign> const design = make(defaults);
-    return Describer(*design).core();
+    return Describer(*design).description();
 }
 
 }  // namespace dataflow

@@ -111,7 +111,7 @@ class HlsModule : public SimpleModule {
     /// Returns the event that leaves it.
     std::size_t run_loop(std::size_t begin) {
         LoopMark const& loop = recorder().loops()[script_->events[begin].number];
-        require_described(loop);
+        core_.require_described(number_, loop);
         std::uint64_t iterations = 0;
         std::size_t end = begin + 1;
         for (; script_->events[end].what == Event::What::iterate; ++end) {
@@ -129,13 +129,6 @@ class HlsModule : public SimpleModule {
             }
         });
         return end;
-    }
-    void require_described(LoopMark const& loop) const {
-        for (std::size_t const number : process().loops)
-            if (core_.machine().loops[number].name == loop.name)
-                return;
-        throw InputError("process " + process().name + " runs its loop " + loop.name + ", which it does not" +
-                         untimed::expected_defaults);
     }
     void require_described(char const* loop, std::size_t group) {
         if (described_.emplace(loop, group).second)
@@ -167,8 +160,11 @@ class HlsModule : public SimpleModule {
 
 }  // namespace
 
-HlsCore::HlsCore(SimpleCoreParts const& parts, MakeHlsDesign const& make)
-    : SimpleCore(parts), design_(make(parts.numbers)), network_(design_->processes()), next_call_(parts.share.first) {
+HlsCore::HlsCore(SimpleCoreParts const& parts, MakeHlsDesign const& make, HlsDescription const& description)
+    : SimpleCore(parts),
+      design_(make(parts.numbers)),
+      network_(design_->processes(), description.around),
+      next_call_(parts.share.first) {
     for (untimed::StreamBase const* const stream : design_->streams())
         fifos_.push_back(std::make_unique<HlsFifo>(*stream, fifo_timing(stream->name())));
     bool const is_live = makes_attempts(machine());
@@ -180,6 +176,14 @@ HlsCore::HlsCore(SimpleCoreParts const& parts, MakeHlsDesign const& make)
 }
 
 HlsCore::~HlsCore() = default;
+
+void HlsCore::require_described(std::size_t process, LoopMark const& loop) const {
+    for (std::size_t const number : machine().processes[process].loops)
+        if (machine().loops[number].name == loop.name)
+            return;
+    throw InputError("process " + machine().processes[process].name + " runs its loop " + loop.name +
+                     ", which it does not" + untimed::expected_defaults);
+}
 
 void HlsCore::require_described(std::size_t process, char const* loop, Access const& access, bool is_attempt) const {
     std::string const& stream = design_->streams()[access.stream]->name();

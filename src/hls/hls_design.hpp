@@ -80,8 +80,13 @@ template <class Design> std::unique_ptr<HlsDesign> make_hls_design(Numbers const
     return design;
 }
 
-/// What the functions of a design do with the defaults of its numbers, as its description.
-CoreDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make);
+/// What the functions of a design do with the defaults of its numbers.
+struct HlsDescription {
+    CoreDescription core;
+    std::vector<untimed::LoopNames>
+        around;  ///< by process: loops that only say where others end; `core` does not have them
+};
+HlsDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make);
 
 /// What one process does in one call.
 struct HlsScript {
@@ -92,13 +97,15 @@ struct HlsScript {
 /// A core: the FIFOs of the design's streams, and a module for each of its functions.
 class HlsCore : public SimpleCore {
   public:
-    HlsCore(SimpleCoreParts const& parts, MakeHlsDesign const& make);
+    HlsCore(SimpleCoreParts const& parts, MakeHlsDesign const& make, HlsDescription const& description);
     ~HlsCore() override;
 
     HlsDesign const& design() const { return *design_; }
     untimed::LoopRecorder const& recorder(std::size_t process) const { return network_.recorder(process); }
     ClockedFifo<std::int64_t>& stream_fifo(std::size_t stream) const { return *fifos_[stream]; }
-    /// Throws InputError if the description does not have it. `loop`: null outside loops
+    /// Throws InputError if the description does not have it.
+    void require_described(std::size_t process, untimed::LoopMark const& loop) const;
+    /// `loop`: null outside loops
     void require_described(std::size_t process, char const* loop, untimed::Access const& access,
                            bool is_attempt = false) const;
     /// What a process does in its next call. All functions run for the first that asks.
@@ -136,11 +143,14 @@ class HlsCore : public SimpleCore {
 
 template <class Design> class HlsCoreOf final : public HlsCore {
   public:
-    static CoreDescription describe(Numbers const& /*numbers*/) {
-        static CoreDescription const one = describe_hls_design(Design::facts(), make_hls_design<Design>);
+    static CoreDescription describe(Numbers const& /*numbers*/) { return described().core; }
+    explicit HlsCoreOf(SimpleCoreParts const& parts) : HlsCore(parts, make_hls_design<Design>, described()) {}
+
+  private:
+    static HlsDescription const& described() {
+        static HlsDescription const one = describe_hls_design(Design::facts(), make_hls_design<Design>);
         return one;
     }
-    explicit HlsCoreOf(SimpleCoreParts const& parts) : HlsCore(parts, make_hls_design<Design>) {}
 };
 
 }  // namespace dataflow

@@ -44,9 +44,7 @@ void LiveFunction::end_access() {
 
 /// It only says where others end: the description does not have it.
 bool LiveFunction::is_around(LoopMark const& loop) const {
-    Machine const& machine = core_.machine();
-    std::vector<std::size_t> const& loops = machine.processes[process_].loops;
-    return std::none_of(loops.begin(), loops.end(), [&](std::size_t i) { return machine.loops[i].name == loop.name; });
+    return core_.recorder(process_).around().count(loop.name) != 0;
 }
 
 void LiveFunction::leave_loop() {
@@ -85,6 +83,7 @@ void LiveFunction::begins_iteration(LoopMark const& loop) {
     }
     bool const is_same = loop_ != nullptr && !leaves_ && std::strcmp(loop_->name, loop.name) == 0;
     if (!is_same) {
+        core_.require_described(process_, loop);
         leave_loop();
         clock_.open_loop(clock_.loop(loop.name));
         loop_ = &loop;

@@ -82,7 +82,7 @@ void LoopRecorder::put_around(Open& outer) {
         throw InputError("process " + process_ + " has a marked loop in its pipelined loop " + loop.name +
                          ", which a tool would unroll, expected a mark of one of the two only");
     outer.is_around = true;
-    around_.insert(outer.loop);
+    around_.insert(loop.name);
     for (Access const& one : std::exchange(outer.accesses, {}))
         access(one);
 }
@@ -120,7 +120,7 @@ Events LoopRecorder::as_parts(Events const& events) {
     bool is_around = false;
     for (Event const& event : events) {
         if (event.what == Event::What::enter)
-            is_around = around_.count(event.number) != 0;
+            is_around = around_.count(loops_[event.number].name) != 0;
         if (!is_around) {
             parts.push_back(event);
             continue;

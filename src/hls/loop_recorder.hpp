@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -20,6 +21,7 @@ struct Access {
     friend bool operator==(Access const& a, Access const& b) { return a.stream == b.stream && a.writes == b.writes; }
 };
 using Accesses = std::vector<Access>;
+using LoopNames = std::set<std::string, std::less<>>;  // of a process
 
 /// Something that a function has done, in program order.
 struct Event {
@@ -53,7 +55,9 @@ class IdleIterations {
 ///           function that never ends
 class LoopRecorder {
   public:
-    explicit LoopRecorder(std::string process) : process_(std::move(process)) {}
+    /// `around`: of the same function, what around() has been of it before.
+    explicit LoopRecorder(std::string process, LoopNames around = {})
+        : process_(std::move(process)), around_(std::move(around)) {}
 
     void access(Access access);
     /// Some of the accesses of that kind do not wait, or the stream is asked. Behind an iteration it may be the
@@ -72,6 +76,8 @@ class LoopRecorder {
     /// All that has happened since the last call. The function has returned, or is stuck.
     Events take();
 
+    /// Loops that have had a marked one in them.
+    LoopNames const& around() const { return around_; }
     std::vector<LoopMark> const& loops() const { return loops_; }
     std::vector<Accesses> const& groups() const { return groups_; }
 
@@ -90,6 +96,7 @@ class LoopRecorder {
     void put_around(Open& outer);
 
     std::string process_;
+    LoopNames around_;
     std::vector<LoopMark> loops_;
     std::vector<Accesses> groups_;
     std::map<Accesses, std::size_t> group_numbers_;
@@ -97,7 +104,6 @@ class LoopRecorder {
     std::set<std::pair<std::size_t, Access>> attempts_in_;   // loops, and what they attempt
     std::set<std::pair<std::size_t, Access>> before_reads_;  // of those
     Accesses condition_;                                     // attempts behind the last iteration
-    std::set<std::size_t> around_;                           ///< loops that have had a marked one in them
     std::vector<Open> open_;
     bool is_in_loop_ = false;
     std::size_t loop_ = 0;  // that it is in

@@ -155,9 +155,11 @@ class UntimedNetwork::Watcher final : public Observer {
     std::thread thread_;  // last: it uses the others
 };
 
-UntimedNetwork::UntimedNetwork(std::vector<ProcessCall> const& processes) : processes_(processes) {
-    for (ProcessCall const& process : processes)
-        recorders_.push_back(std::make_unique<LoopRecorder>(process.name));
+UntimedNetwork::UntimedNetwork(std::vector<ProcessCall> const& processes, std::vector<LoopNames> const& around)
+    : processes_(processes) {
+    for (std::size_t i = 0; i < processes.size(); ++i)
+        recorders_.push_back(
+            std::make_unique<LoopRecorder>(processes[i].name, i < around.size() ? around[i] : LoopNames()));
 }
 
 UntimedNetwork::~UntimedNetwork() = default;

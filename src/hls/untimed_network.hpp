@@ -37,7 +37,8 @@ struct ProcessCall {
 ///   errors  InputError for size(), for what the functions throw, and for one that does not return
 class UntimedNetwork {
   public:
-    explicit UntimedNetwork(std::vector<ProcessCall> const& processes);
+    /// `around`: by process, what its recorder has of another network's; or nothing.
+    explicit UntimedNetwork(std::vector<ProcessCall> const& processes, std::vector<LoopNames> const& around = {});
     ~UntimedNetwork();
 
     /// Calls each function once. Those that are left waiting for tokens that nobody writes are given up.

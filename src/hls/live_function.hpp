@@ -24,6 +24,7 @@ class LiveFunction final : public untimed::Observer {
     void run();
 
   private:
+    std::size_t process() const override { return process_; }
     void reads(untimed::StreamBase& stream) override;
     void wrote(untimed::StreamBase& stream) override;
     bool attempts(untimed::StreamBase const& stream, untimed::Attempt const& attempt) override;

@@ -32,6 +32,8 @@ struct Attempt {
 class Observer {
   public:
     virtual ~Observer() = default;
+    /// The number of the function.
+    virtual std::size_t process() const = 0;
     /// Returns when the stream has a token.
     virtual void reads(StreamBase& stream) = 0;
     virtual void wrote(StreamBase& stream) = 0;
@@ -39,7 +41,7 @@ class Observer {
     virtual bool attempts(StreamBase const& stream, Attempt const& attempt) = 0;
     /// size(), which no hardware counts. Throws.
     virtual void asks_size(StreamBase const& stream) = 0;
-    /// Something is done to a stream that no design has, and that the function has not made itself. Throws.
+    /// Something is done to a stream that no design has, and that this function has not made itself. Throws.
     virtual void meets_stranger(StreamBase const& stream) = 0;
     virtual void begins_iteration(LoopMark const& loop) = 0;
     /// Does not throw: it may be called because something has been thrown.
@@ -88,17 +90,18 @@ class StreamBase {
     Observer* watcher() const {
         if (observer == nullptr || is_of_design())
             return observer;
-        if (!is_made_by_function_)
+        if (made_by_ != observer->process())
             observer->meets_stranger(*this);
         return nullptr;
     }
 
   private:
     static constexpr std::size_t of_no_design = ~std::size_t{0};
+    static constexpr std::size_t by_nobody = ~std::size_t{0};
     std::string name_;
     std::size_t number_ = of_no_design;
     unsigned depth_ = 0;
-    bool is_made_by_function_ = observer != nullptr;
+    std::size_t made_by_ = observer != nullptr ? observer->process() : by_nobody;  ///< a function, which may keep it
 };
 
 /// An iteration of a loop: the rest of the scope in which it stands.

@@ -83,6 +83,7 @@ class UntimedNetwork::Watcher final : public Observer {
     StreamBase const* awaited() const { return awaited_; }
     std::exception_ptr const& error() const { return error_; }
 
+    std::size_t process() const override { return process_; }
     void reads(StreamBase& stream) override {
         recorder().access({stream.number(), false});
         while (!stream.has_token() && !is_given_up_) {

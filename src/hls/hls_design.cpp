@@ -34,6 +34,9 @@ void HlsDesign::complete() {
         if (stream->bits() == 0)
             throw InputError("stream " + name + " carries a struct, whose memory is more than its wires, expected " +
                              "static constexpr unsigned bits = ... in it, which says how many those are");
+        if (stream->has_token())
+            throw InputError("stream " + name + " holds a token before a process has begun, expected only processes " +
+                             "to write it");
         stream->rename(name);
     }
     if (processes_.empty())

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <set>
 
-#include "dataflow/base/as_mistake.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "hls/live_function.hpp"
 
@@ -231,11 +230,7 @@ Counters HlsCore::results_of_design() const {
     try {
         return design_->results();
     } catch (...) {
-        std::rethrow_exception(as_mistake([](char const* what) {
-            return "results() of the design has thrown" +
-                   (what != nullptr ? ": " + std::string(what) : " something that is no std::exception") +
-                   ", expected its counters";
-        }));
+        std::rethrow_exception(untimed::thrown_by("results() of the design", "its counters"));
     }
 }
 

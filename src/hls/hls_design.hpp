@@ -75,9 +75,14 @@ class HlsDesign {
 using MakeHlsDesign = std::function<std::unique_ptr<HlsDesign>(Numbers const& numbers)>;
 
 template <class Design> std::unique_ptr<HlsDesign> make_hls_design(Numbers const& numbers) {
-    auto design = std::make_unique<Design>(numbers);
-    design->complete();
-    return design;
+    try {
+        auto design = std::make_unique<Design>(numbers);
+        design->complete();
+        return design;
+    } catch (...) {
+        std::rethrow_exception(
+            untimed::thrown_by("the constructor of design " + Design::facts().name, "one that returns"));
+    }
 }
 
 /// What the functions of a design do with the defaults of its numbers.

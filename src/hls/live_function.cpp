@@ -26,7 +26,7 @@ void LiveFunction::run() {
         throw;
     } catch (...) {
         untimed::observer = nullptr;
-        std::rethrow_exception(untimed::thrown_by(process.name));
+        std::rethrow_exception(untimed::thrown_by_process(process.name));
     }
     leave_loop();
     untimed::observer = nullptr;

@@ -31,12 +31,16 @@ void refuse_stranger(StreamBase const& stream) {
                      "members of the class that derives HlsDesign");
 }
 
-std::exception_ptr thrown_by(std::string const& process) {
-    return as_mistake([&process](char const* what) {
-        return "process " + process + " has thrown" +
-               (what != nullptr ? ": " + std::string(what) : " something that is no std::exception") +
-               ", expected a function that returns";
+std::exception_ptr thrown_by(std::string const& who, std::string const& expected) {
+    return as_mistake([&](char const* what) {
+        return who + " has thrown" +
+               (what != nullptr ? ": " + std::string(what) : " something that is no std::exception") + ", expected " +
+               expected;
     });
+}
+
+std::exception_ptr thrown_by_process(std::string const& name) {
+    return thrown_by("process " + name, "a function that returns");
 }
 
 /// Whose turn it is: that of a function, each of which has a thread, or that of the network.
@@ -137,7 +141,7 @@ class UntimedNetwork::Watcher final : public Observer {
                 network_.processes_[process_].call();
         } catch (GivenUp const&) {  // all that it did is known
         } catch (...) {
-            error_ = thrown_by(network_.processes_[process_].name);
+            error_ = thrown_by_process(network_.processes_[process_].name);
         }
         observer = nullptr;
         is_done_ = has_moved_ = true;

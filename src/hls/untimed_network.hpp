@@ -20,8 +20,11 @@ namespace dataflow::untimed {
 inline constexpr char const* expected_defaults =
     " with the defaults of the design's numbers, expected defaults that make it use all of its loops and streams";
 
-/// What a function of a design throws, as the InputError that names its process. In the handler of it.
-std::exception_ptr thrown_by(std::string const& process);
+/// What the user's code has thrown, as the InputError that names where. In the handler of it.
+///   who       e.g. "process load"
+///   expected  instead
+std::exception_ptr thrown_by(std::string const& who, std::string const& expected);
+std::exception_ptr thrown_by_process(std::string const& name);
 
 /// A function of a design, with its arguments.
 struct ProcessCall {

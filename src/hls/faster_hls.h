@@ -18,7 +18,8 @@
 
 #if defined(FASTER_HLS_STREAM) && !defined(FASTER_UNTIMED) && !defined(__SYNTHESIS__)
 #define FASTER_LOOP_MARK(name, ii, depth, is_pipelined)                                                     \
-    static constexpr ::dataflow::untimed::LoopMark faster_mark_of_##name{#name, ii, depth, is_pipelined}; \
+    static constexpr ::dataflow::untimed::LoopMark faster_mark_of_##name{#name,        ii,       depth,     \
+                                                                         is_pipelined, __FILE__, __LINE__}; \
     ::dataflow::untimed::Iteration const faster_iteration_of_##name(faster_mark_of_##name)
 #define FASTER_PIPELINE_2(name, ii) FASTER_LOOP_MARK(name, ii, 2, true)
 #define FASTER_PIPELINE_3(name, ii, depth) FASTER_LOOP_MARK(name, ii, depth, true)

@@ -140,7 +140,7 @@ class Describer {
 
     ModuleDescription module(std::size_t number) const {
         DiscoveredProcess const& process = processes_[number];
-        ModuleDescription module(name(number));
+        ModuleDescription module(name(number), SourceSite());  // not a line of ours
         for (Access const& access : process.ends())
             add_end(module, process, access);
         for (std::size_t i = 0; i < process.loops().size(); ++i)

@@ -122,14 +122,15 @@ class HlsModule : public SimpleModule {
         }
         std::size_t at = begin + 1;
         std::uint64_t done = 0;  // of the event at hand
-        clock_.pipeline(loop.name, iterations, [&](std::uint64_t) {
+        auto const do_iteration = [&](std::uint64_t) {
             for (Access const& access : recorder().groups()[script_->events[at].number])
                 access.writes ? core_.stream_fifo(access.stream).write(next_token(access.stream)) : take(access.stream);
             if (++done == script_->events[at].count) {
                 ++at;
                 done = 0;
             }
-        });
+        };
+        clock_.pipeline(loop.name, iterations, do_iteration, {loop.file, loop.line});
         return end;
     }
     void require_described(char const* loop, std::size_t group) {

@@ -85,7 +85,7 @@ void LiveFunction::begins_iteration(LoopMark const& loop) {
     if (!is_same) {
         core_.require_described(process_, loop);
         leave_loop();
-        clock_.open_loop(clock_.loop(loop.name));
+        clock_.open_loop(clock_.loop(loop.name), {loop.file, loop.line});
         loop_ = &loop;
         iterations_ = 0;
     }

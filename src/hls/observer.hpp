@@ -13,6 +13,8 @@ struct LoopMark {
     unsigned ii;     ///< initiation interval asked for; of a loop that is not pipelined, its states; 0: it is no loop
     unsigned depth;  ///< stages of an iteration, unless a configuration says otherwise
     bool is_pipelined;
+    char const* file = "";  ///< where it stands in the source, if that is known
+    unsigned line = 0;
 
     /// A block of states, with none before its first and none behind its last.
     bool is_block() const { return ii == 0; }

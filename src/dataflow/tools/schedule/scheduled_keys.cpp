@@ -127,32 +127,41 @@ class Scheduler {
             throw InputError(fmt::format("{}: {} = {}, expected {} to {}", place, what, value, range.min, range.max));
     }
 
+    /// What the report knows of it: of an interval and a depth, one may be missing.
     void add(std::size_t number, ReportLoop const& of_report) {
         MachineLoop const& loop = machine_.loops[number];
-        bool const is_pipelined = of_report.ii.has_value();
-        std::optional<std::uint64_t> const length = is_pipelined ? of_report.depth : of_report.iteration_latency;
-        if (!length || *length == 0 || (is_pipelined && (*of_report.ii == 0 || !loop.is_pipelined))) {
-            leave(of_report.full_name() + " of the report: " +
-                  (is_pipelined && !loop.is_pipelined ? "pipelined, which the design's is not"
-                                                      : "no interval or depth that it knows"));
+        auto const known = [](std::optional<std::uint64_t> const& figure) { return figure.value_or(0) > 0; };
+        bool const is_pipelined = of_report.ii || (of_report.depth && !of_report.iteration_latency);
+        std::optional<std::uint64_t> const& ii = is_pipelined ? of_report.ii : of_report.iteration_latency;
+        std::optional<std::uint64_t> const& length = is_pipelined ? of_report.depth : of_report.iteration_latency;
+        if (is_pipelined && !loop.is_pipelined)
+            return leave(of_report.full_name() + " of the report: pipelined, which the design's is not");
+        if (!known(ii) || !known(length))
+            leave(of_report.full_name() + " of the report: no " +
+                  (known(ii)       ? "depth"
+                   : known(length) ? "interval"
+                                   : "interval or depth") +
+                  " that it knows");
+        if (!known(ii) && !known(length))
             return;
-        }
-        std::uint64_t const ii = is_pipelined ? *of_report.ii : *length;
         char const* const ii_source = is_pipelined ? "PipelineII" : "IterationLatency";
         char const* const source = is_pipelined ? "PipelineDepth" : "IterationLatency";
-        require_in(cycles_range, ii, of_report.place, ii_source + (" of " + of_report.full_name()));
-        require_in(cycles_range, *length, of_report.place, source + (" of " + of_report.full_name()));
         std::string const remark = loop.is_pipelined && !is_pipelined ? ", not pipelined" : "";
-        auto const set_field = [&](char const* field, std::uint64_t assumed, std::uint64_t value, char const* element) {
-            set(loop_key_name(loop.timed_by, field), assumed, value, of_report.full_name() + " " + element + remark);
+        auto const set_field = [&](char const* field, Cycles assumed, std::optional<std::uint64_t> const& value,
+                                   char const* element) {
+            if (!known(value))
+                return assumed;
+            require_in(cycles_range, *value, of_report.place, element + (" of " + of_report.full_name()));
+            set(loop_key_name(loop.timed_by, field), assumed, *value, of_report.full_name() + " " + element + remark);
+            return static_cast<Cycles>(*value);
         };
         if (loop.is_pipelined) {
-            set_field("ii", loop.interval.target, ii, ii_source);
-            set_field("depth", loop.depth, *length, source);
+            Cycles const now_ii = set_field("ii", loop.interval.target, ii, ii_source);
+            scheduled_[number] = {now_ii, set_field("depth", loop.depth, length, source)};
         } else {
-            set_field("states", loop.depth, *length, source);
+            Cycles const states = set_field("states", loop.depth, length, source);
+            scheduled_[number] = {states, states};
         }
-        scheduled_[number] = {ii, *length};
     }
 
     /// A write that was in the last stage stays there, a stage beyond it becomes the last.

@@ -358,7 +358,7 @@ TEST_CASE("What a report says twice and differently is not chosen from", "[examp
                    Contains("sums of the report, of depth 8: another FIFO of the report has its name") &&
                    !Contains("accelerator.fifos.sums.depth"));
     CHECK_THAT(schedule_loads(folder, differ, {"--map", "map.yaml"}).err,
-               Contains("--map: sum.add is several loops of the report, expected one"));
+               Contains("map.yaml: loops: sum.add is several loops of the report, expected one"));
 }
 
 TEST_CASE("A loop of the report is one without trip count, too, and with two trip counts", "[examples]") {
@@ -386,8 +386,9 @@ TEST_CASE("A figure that no key can have is told by its place in the report", "[
     CHECK_THAT(schedule_loads(folder, report_of({add}, fifo_node("sums", "0"))).out,
                Contains("sums of the report: no depth that it knows"));
     std::ofstream(folder / "map.yaml") << "fifos: {sums: sum_stream}\n";
-    CHECK_THAT(schedule_loads(folder, report_of({add}, fifo_node("sums_stream", "4")), {"--map", "map.yaml"}).err,
-               Contains("--map: sum_stream is not there, expected a FIFO of the report, did you mean sums_stream?"));
+    CHECK_THAT(
+        schedule_loads(folder, report_of({add}, fifo_node("sums_stream", "4")), {"--map", "map.yaml"}).err,
+        Contains("map.yaml: fifos: sum_stream is not there, expected a FIFO of the report, did you mean sums_stream?"));
 }
 
 TEST_CASE("What is wrong with a function that runs is one line with its process", "[examples]") {

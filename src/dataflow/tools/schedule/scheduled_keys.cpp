@@ -55,19 +55,22 @@ class Scheduler {
             fifos.push_back(machine_.fifos[number].name);
         for (ReportFifo const& fifo : report_.fifos)
             reported_fifos.push_back(fifo.name);
-        auto const require = [](std::string const& name, std::string const& what, auto const& known) {
+        auto const require = [this](char const* section, std::string const& name, std::string const& what,
+                                    auto const& known) {
             if (std::find(known.begin(), known.end(), name) == known.end())
-                throw InputError("--map: " + name + " is not there, expected a " + what + did_you_mean(name, known));
+                throw InputError(fmt::format("{}: {}: {} is not there, expected a {}{}", names_.file, section, name,
+                                             what, did_you_mean(name, known)));
         };
         for (auto const& [ours, theirs] : names_.loops) {
-            require(ours, "loop of the design", loops);
-            require(theirs, "loop of the report", reported);
+            require("loops", ours, "loop of the design", loops);
+            require("loops", theirs, "loop of the report", reported);
             if (std::count(reported.begin(), reported.end(), theirs) > 1)
-                throw InputError("--map: " + theirs + " is several loops of the report, expected one");
+                throw InputError(
+                    fmt::format("{}: loops: {} is several loops of the report, expected one", names_.file, theirs));
         }
         for (auto const& [ours, theirs] : names_.fifos) {
-            require(ours, "FIFO of the design", fifos);
-            require(theirs, "FIFO of the report", reported_fifos);
+            require("fifos", ours, "FIFO of the design", fifos);
+            require("fifos", theirs, "FIFO of the report", reported_fifos);
         }
     }
 
@@ -259,6 +262,7 @@ std::map<std::string, std::string> pairs_of(std::string const& file, YAML::Node 
 
 NameMap read_name_map(std::string const& file) {
     NameMap names;
+    names.file = file;
     YAML::Node const root = load_document(file, "a map of names", {"loops", "fifos"});
     if (root.IsNull())
         return names;

@@ -10,6 +10,7 @@ namespace dataflow::schedule {
 
 /// Names of a report's parts, by those of the design: loops as MODULE.LOOP, FIFOs.
 struct NameMap {
+    std::string file;  ///< that says so
     std::map<std::string, std::string> loops;
     std::map<std::string, std::string> fifos;
 };

@@ -1,6 +1,7 @@
 #include "dataflow/run/config/simple_design.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,13 @@ Key number_key(std::string const& design, DesignNumber const& number) {
     return KeyMaker<SimpleConfig>::integer_key(
         {number.key, "", number.meaning, design},
         number.range, [name = number.key](auto& config) -> auto& { return config.numbers.of(name); });
+}
+
+/// It stands in texts and names of files.
+void require_one_word(std::string const& name) {
+    auto const is_blank = [](unsigned char letter) { return std::isspace(letter) != 0; };
+    if (name.empty() || std::any_of(name.begin(), name.end(), is_blank))
+        throw InputError("the name of the design is \"" + name + "\", expected one word");
 }
 
 bool uses_memory(CoreDescription const& core) {
@@ -97,6 +105,7 @@ std::vector<Key> SimpleDesign::keys() const { return keys_of(describe(defaults()
 
 /// Keys of one section have to stand together.
 std::vector<Key> SimpleDesign::keys_of(CoreDescription core) const {
+    require_one_word(facts_.name);
     Keys keys;
     auto const add_numbers = [&](bool of_accelerator) {
         for (DesignNumber const& number : facts_.numbers)

@@ -11,7 +11,17 @@ struct Pair {
     static constexpr unsigned bits = 16;
     ap_uint<8> first, second;
 };
-enum Mistake : unsigned { none, throws, throws_number, reads_late, never_ends };
+enum Mistake : unsigned {
+    none,
+    throws,
+    throws_number,
+    reads_late,
+    never_ends,
+    asks_late,
+    writes_early,
+    constructor_throws,
+    results_throw
+};
 
 void load(hls::stream<Pair, 8>& pair, unsigned numbers, unsigned mistake) {
     for (unsigned i = 0; i < numbers; ++i) {
@@ -20,6 +30,8 @@ void load(hls::stream<Pair, 8>& pair, unsigned numbers, unsigned mistake) {
             throw std::runtime_error("no row 3");
         if (i == 3 && mistake == throws_number)
             throw 5;
+        if (mistake == asks_late && pair.full())
+            continue;
         pair.write({ap_uint<8>(i), ap_uint<8>(2 * i)});
     }
     for (unsigned i = 0; mistake == never_ends; ++i) {  // NOLINT(bugprone-infinite-loop): on purpose
@@ -71,18 +83,26 @@ struct Loads : dataflow::HlsDesign {
     hls::stream<int> last{"last"};
     hls::stream<int> sums{"sums"};
     std::uint32_t total = 0;
-    explicit Loads(dataflow::Numbers const& keys) {
+    unsigned mistake;
+    explicit Loads(dataflow::Numbers const& keys) : mistake(static_cast<unsigned>(keys["workload.mistake"])) {
         auto const numbers = static_cast<unsigned>(keys["workload.numbers"]);
-        auto const mistake = static_cast<unsigned>(keys["workload.mistake"]);
+        if (mistake == writes_early)
+            last.write(1);
+        if (mistake == constructor_throws)
+            throw std::runtime_error("no numbers");
         process("load", [=] { load(pair, numbers, mistake); });
         process("load_w", [=] { load_w(weight, last, numbers); });
         process("sum", [=] { total = sum(pair, weight, last, sums, numbers, mistake); });
         process("sink", [=] { sink(sums, numbers); });
     }
-    dataflow::Counters results() const override { return {total}; }
+    dataflow::Counters results() const override {
+        if (mistake == results_throw)
+            throw std::runtime_error("no total");
+        return {total};
+    }
     static dataflow::SimpleFacts facts() {
         return {"loads",
-                {{"workload.numbers", 30, "Numbers."}, {"workload.mistake", 0, "What is done wrong.", {0, 4}}},
+                {{"workload.numbers", 30, "Numbers."}, {"workload.mistake", 0, "What is done wrong.", {0, 8}}},
                 {{"total", "-", dataflow::Tells::result, "all together"}}};
     }
 };

@@ -376,6 +376,23 @@ TEST_CASE("A loop of the report is one without trip count, too, and with two tri
     }
 }
 
+TEST_CASE("Of an interval and a depth, a report may know one", "[examples]") {
+    TempFolder const folder;
+    std::string const ii = "<PipelineII>4</PipelineII>";
+    std::string const depth = "<PipelineDepth>5</PipelineDepth>";
+    for (bool const has_ii : {true, false}) {
+        std::string report = report_of({{"sum", "add", 4, 5}});
+        std::string const& missing = has_ii ? depth : ii;
+        report.erase(report.find(missing), missing.size());
+        CommandResult const result = schedule_loads(folder, report);
+        require_done(result);
+        std::string const loop = "accelerator.loops.sum.add.";
+        CHECK_THAT(result.out,
+                   Contains(loop + (has_ii ? "ii" : "depth")) && !Contains(loop + (has_ii ? "depth" : "ii")));
+        CHECK_THAT(result.out, Contains(std::string("sum.add of the report: no ") + (has_ii ? "depth" : "interval")));
+    }
+}
+
 TEST_CASE("A figure that no key can have is told by its place in the report", "[examples]") {
     TempFolder const folder;
     Pipelined const add{"sum", "add", 2, 5};
@@ -411,6 +428,11 @@ TEST_CASE("What is wrong with a function that runs is one line with its process"
             CHECK_THAT(refused("2"), Contains("process load has thrown something that is no std::exception"));
             CHECK_THAT(refused("3"), Contains("process sum reads stream last in its loop add, which it does not with "
                                               "the defaults of the design's numbers"));
+            CHECK_THAT(refused("5"), Contains("process load accesses stream pair by write_nb() or full()") &&
+                                         Contains(", which it does not with the defaults of the design's numbers"));
+            CHECK_THAT(refused("6"), Contains("stream last holds a token before a process has begun"));
+            CHECK_THAT(refused("7"), Contains("the constructor of design loads has thrown: no numbers"));
+            CHECK_THAT(refused("8"), Contains("results() of the design has thrown: no total"));
         }
     CommandResult const endless =
         run_command(HLS_WAITING_LOADS_BINARY, {"run", "empty.yaml", "--set", "workload.mistake=4"}, folder.path());

@@ -88,8 +88,8 @@ template <class Design> std::unique_ptr<HlsDesign> make_hls_design(Numbers const
 /// What the functions of a design do with the defaults of its numbers.
 struct HlsDescription {
     CoreDescription core;
-    std::vector<untimed::LoopNames>
-        around;  ///< by process: loops that only say where others end; `core` does not have them
+    /// By process: loops that only say where others end. `core` does not have them.
+    std::vector<untimed::LoopNames> around;
 };
 HlsDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make);
 

@@ -96,11 +96,12 @@ void Taping::note_sites() {
             timing::ProcessTiming& noted = run_.blueprint->process(process.index());
             for (unsigned i = 0; i < process.loops().size(); ++i) {
                 noted.note_first_reads(i, process.first_reads(i));
-                if (noted.loop_site(i).line == 0)
+                if (noted.loop_site(i).line == 0 && process.loop_site(i).line > 0)
                     noted.note_loop_site(i, process.loop_site(i));
             }
             for (unsigned i = 0; i < process.port_count(); ++i)
-                if (noted.port_site(i).line == 0 && writer_.step_ports(process.index()).has(i))
+                if (noted.port_site(i).line == 0 && process.port_site(i).line > 0 &&
+                    writer_.step_ports(process.index()).has(i))
                     noted.note_site(i, process.port_site(i));
         }
 }

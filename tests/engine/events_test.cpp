@@ -21,6 +21,7 @@
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/run_cells.hpp"
+#include "support/small_stimulus.hpp"
 #include "support/spelled_out.hpp"
 #include "support/temp_folder.hpp"
 
@@ -318,6 +319,26 @@ TEST_CASE("An event file knows its run", "[events]") {
         CHECK(file.samples[i].end_cycle == run.samples[i].end_cycle);
         CHECK(file.samples[i].counters == run.samples[i].counters);
     }
+}
+
+TEST_CASE("What stands where in the source is known from the first core that got there", "[events]") {
+    Stimulus stimulus = one_small_triangle();
+    stimulus.samples.insert(stimulus.samples.begin(), stimulus.samples[0]);
+    stimulus.samples[0].triangle_count = 0;  // that of core 0, if there are two
+    auto const lines_with = [&stimulus](std::uint64_t cores) {
+        test::TempFolder const folder;
+        record(with_cores(cores), stimulus, Engine::decoupled, folder / "events");
+        events::EventFile const file = events::read_event_file(folder / "events");
+        std::vector<unsigned> lines;
+        for (timing::ProcessTiming const& process : file.run.blueprint->processes()) {
+            for (unsigned loop = 0; loop < process.loops().size(); ++loop)
+                lines.push_back(process.loop_site(loop).line);
+            for (unsigned port = 0; port < process.port_count(); ++port)
+                lines.push_back(process.port_site(port).line);
+        }
+        return lines;
+    };
+    CHECK(lines_with(2) == lines_with(1));
 }
 
 TEST_CASE("A run that deadlocks leaves no event file", "[events]") {

@@ -508,7 +508,7 @@ TEST_CASE("Meshes that contradict models_info.json are refused, with what would 
     ScaledModels in_metres(0.001);
     CHECK_THAT(
         in_metres.complaint(),
-        Catch::StartsWith("models/obj_000001.ply: is 0.06 x 0.04 x 0.1 mm, but by ") &&
+        Catch::StartsWith("models/obj_000001.ply: is 0.06 x 0.04 x 0.1 mm, of diameter 0.1233, but by ") &&
             Catch::Contains("models_info.json object 1 has diameter 123.3, and is 60 x 40 x 100 mm: 0.001 times") &&
             Catch::EndsWith("estimate and evaluate with --models-in m"));
     DatasetOptions options;
@@ -519,6 +519,21 @@ TEST_CASE("Meshes that contradict models_info.json are refused, with what would 
     CHECK_THAT(ScaledModels(1).complaint(options), Catch::Contains("1000 times") && Catch::EndsWith("--models-in mm"));
     CHECK_THAT(ScaledModels(25.4).complaint(), Catch::EndsWith("25.4 times as large, expected the same"));
     CHECK_THAT(ScaledModels(0.4).complaint(), Catch::Contains("0.4 times as large"));
+}
+
+TEST_CASE("A diameter that is not the mesh's is warned of or refused, even if the box could have it", "[bop]") {
+    auto const complaint_and_warnings = [](std::string const& diameter) {
+        ScaledModels models(1);
+        models.folder.replace("models/models_info.json", "123.288280", diameter);
+        std::string const complaint = models.complaint();
+        return std::pair(complaint, models.warnings.size());
+    };
+    CHECK(complaint_and_warnings("115") == std::pair(std::string(), std::size_t{0}));
+    CHECK(complaint_and_warnings("105") == std::pair(std::string(), std::size_t{1}));
+    CHECK(complaint_and_warnings("160") == std::pair(std::string(), std::size_t{1}));
+    CHECK_THAT(complaint_and_warnings("60").first,
+               Catch::Contains("of diameter 123.3") && Catch::Contains("2.055 times as large"));
+    CHECK_THAT(complaint_and_warnings("250").first, Catch::Contains("0.4932 times as large"));
 }
 
 TEST_CASE("A mesh that is somewhat different from models_info.json is warned of", "[bop]") {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "dataflow/base/middle_of.hpp"
+#include "dataflow/base/portable_math.hpp"
 #include "faster/data/mesh_size.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/pose_numbers.hpp"
@@ -31,15 +32,27 @@ std::string info_text(ObjectModel const& model) {
     return text;
 }
 
-/// How many times as large as its diameter the mesh is, which lies between its longest side and its diagonal.
-double ratio_of_diameter(ObjectModel::Bounds const& found, double diameter_m) {
-    double const least = found.size.maxCoeff() / diameter_m, most = found.size.norm() / diameter_m;
-    return most < 1 ? most : std::max(least, 1.0);
+/// The diameter of what reaches furthest in any of many directions. At most 1 % too small, as one of them is within 8
+/// degrees of any direction; to compare all vertices with all others would take too long.
+double diameter_about(std::vector<Eigen::Vector3d> const& vertices) {
+    constexpr int directions = 240;
+    double const golden_angle = dataflow::portable::pi * (3 - std::sqrt(5.0));
+    std::vector<Eigen::Vector3d> furthest;
+    for (int i = 0; i < directions; ++i) {  // along a spiral over the half of a sphere
+        double const z = (i + 0.5) / directions, radius = std::sqrt(1 - z * z), angle = i * golden_angle;
+        Eigen::Vector3d const direction(radius * std::cos(angle), radius * std::sin(angle), z);
+        auto const [low, high] = std::minmax_element(
+            vertices.begin(), vertices.end(),
+            [&](Eigen::Vector3d const& a, Eigen::Vector3d const& b) { return direction.dot(a) < direction.dot(b); });
+        furthest.push_back(*low);
+        furthest.push_back(*high);
+    }
+    return diameter_of(furthest);
 }
 
 /// How many times as large as told the mesh is, by its longest side or its diameter, whichever is farther off.
-double ratio(ObjectModel::Bounds const& found, ObjectModel const& model) {
-    double const of_diameter = ratio_of_diameter(found, *model.diameter_m);
+double ratio(ObjectModel::Bounds const& found, double diameter_m, ObjectModel const& model) {
+    double const of_diameter = diameter_m / *model.diameter_m;
     if (!model.bounds || !(model.bounds->size.maxCoeff() > 0))
         return of_diameter;
     double const of_sizes = found.size.maxCoeff() / model.bounds->size.maxCoeff();
@@ -72,9 +85,11 @@ void compare_with_info(Mesh const& mesh, ObjectModel const& model, std::vector<s
         return;
     constexpr double contradicts = 2, is_odd = 1.1, odd_shift = 0.05, least_m = 0.003, most_m = 10;
     ObjectModel::Bounds const found = bounds_of(mesh);
-    double const larger = ratio(found, model), away = std::max(larger, 1 / larger);
-    std::string const both = fmt::format("{}: is {}, but by {} {}", model.mesh.string(), mm_text(found.size),
-                                         model.info.string(), info_text(model));
+    double const diameter_m = diameter_about(mesh.vertices);
+    double const larger = ratio(found, diameter_m, model), away = std::max(larger, 1 / larger);
+    std::string const both =
+        fmt::format("{}: is {}, of diameter {:.4g}, but by {} {}", model.mesh.string(), mm_text(found.size),
+                    mm_per_metre * diameter_m, model.info.string(), info_text(model));
     if (!(away < contradicts))
         throw InputError(fmt::format("{}: {:.4g} times as large, expected the same{}", both, larger,
                                      unit_help(larger, model.unit_m)));

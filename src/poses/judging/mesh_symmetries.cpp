@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -17,13 +18,47 @@ namespace {
 constexpr double whole_turn = 2 * Random::pi;
 constexpr double most_apart = 0.05;  // diameters
 
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+Triangle triangle(Mesh const& mesh, std::size_t face) {
+    auto const& corners = mesh.faces[face];
+    return {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]};
+}
+
+double area_of(Triangle const& corners) { return (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2; }
+
+/// The middle of a surface: the mean of all its points, not of the few that are drawn.
+Eigen::Vector3d middle_of_surface(Mesh const& mesh) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double area = 0;
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+        Triangle const corners = triangle(mesh, face);
+        double const share = area_of(corners);
+        sum += share / 3 * (corners[0] + corners[1] + corners[2]);
+        area += share;
+    }
+    return sum / area;
+}
+
+/// The sum of p p^T over all points p of a surface, seen from its middle.
+Eigen::Matrix3d spread_about(Eigen::Vector3d const& middle, Mesh const& mesh) {
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+        Triangle const corners = triangle(mesh, face);
+        Eigen::Matrix3d columns;
+        columns << corners[0] - middle, corners[1] - middle, corners[2] - middle;
+        Eigen::Vector3d const sum = columns.rowwise().sum();
+        spread += area_of(corners) / 12 * (columns * columns.transpose() + sum * sum.transpose());
+    }
+    return spread;
+}
+
 /// Points spread over a surface by its area, drawn by a generator of a fixed seed.
 Points spread_over(Mesh const& mesh, std::size_t count) {
     std::vector<double> areas;
     double area = 0;
-    auto const corner = [&](std::size_t face, std::size_t i) { return mesh.vertices[mesh.faces[face][i]]; };
     for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
-        area += (corner(face, 1) - corner(face, 0)).cross(corner(face, 2) - corner(face, 0)).norm() / 2;
+        area += area_of(triangle(mesh, face));
         areas.push_back(area);
     }
     Random random(1);
@@ -34,8 +69,8 @@ Points spread_over(Mesh const& mesh, std::size_t count) {
         auto const found = std::lower_bound(areas.begin(), areas.end(), place);
         auto const face = std::min(static_cast<std::size_t>(found - areas.begin()), areas.size() - 1);
         double const root = std::sqrt(random.uniform()), share = random.uniform();
-        points.push_back((1 - root) * corner(face, 0) + root * (1 - share) * corner(face, 1) +
-                         root * share * corner(face, 2));
+        Triangle const corners = triangle(mesh, face);
+        points.push_back((1 - root) * corners[0] + root * (1 - share) * corners[1] + root * share * corners[2]);
     }
     return points;
 }
@@ -43,13 +78,10 @@ Points spread_over(Mesh const& mesh, std::size_t count) {
 /// A surface about its middle, and whether turns map it to itself.
 class TurnedSurface {
   public:
-    explicit TurnedSurface(Mesh const& mesh) : surface_(spread_over(mesh, 20'000)) {
-        for (Eigen::Vector3d const& point : surface_)
-            middle_ += point / static_cast<double>(surface_.size());
-        for (Eigen::Vector3d& point : surface_) {
+    explicit TurnedSurface(Mesh const& mesh)
+        : surface_(spread_over(mesh, 20'000)), middle_(middle_of_surface(mesh)), spread_(spread_about(middle_, mesh)) {
+        for (Eigen::Vector3d& point : surface_)
             point -= middle_;
-            spread_ += point * point.transpose();
-        }
         for (std::size_t i = 0; i < surface_.size(); i += 20)
             some_.push_back(surface_[i]);
         for (Eigen::Vector3d const& vertex : mesh.vertices)
@@ -87,8 +119,8 @@ class TurnedSurface {
 
   private:
     Points surface_, some_;
-    Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d spread_ = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d middle_;
+    Eigen::Matrix3d spread_;
     double radius_ = 0;
 };
 

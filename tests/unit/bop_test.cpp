@@ -201,6 +201,10 @@ TEST_CASE("Models are looked for in the folders asked for first", "[bop]") {
     Dataset const dataset = read_dataset(folder.path(), {"", {other.path()}, false});
     CHECK(dataset.models.at(1).diameter_m == Approx(0.005));
     CHECK(dataset.models.at(5).diameter_m == Approx(0.09434).epsilon(1e-4));
+    fs::remove(other / "models_info.json");
+    Dataset const told_by_own = read_dataset(folder.path(), {"", {other.path()}, false});
+    CHECK(told_by_own.models.at(1).mesh == other / "obj_000001.ply");
+    CHECK(told_by_own.models.at(1).diameter_m == Approx(0.12328828));
     fs::copy(folder / "models", folder / "models_eval");
     CHECK(read_dataset(folder.path()).models.at(1).mesh.parent_path().filename() == "models");
     CHECK(read_dataset(folder.path(), {"", {}, true}).models.at(1).mesh.parent_path().filename() == "models_eval");

@@ -119,12 +119,13 @@ Camera common_size(fs::path const& root) {
     return size;
 }
 
-/// Objects of the folders asked for, then of the dataset's own; the first folder that has an object wins.
+/// Objects of the folders asked for, then of the dataset's own; the first folder that has an object wins. What one of
+/// the former does not say of its meshes, the dataset's own models_info.json does.
 std::map<int, ObjectModel> models_of(DatasetOptions const& options, fs::path const& own,
                                      std::vector<std::string>& warnings) {
     std::map<int, ObjectModel> models;
     for (fs::path const& folder : options.models)
-        models.merge(read_models_folder(folder, options.unit_m, warnings));
+        models.merge(read_models_folder(folder, options.unit_m, warnings, own / "models_info.json"));
     if (options.models.empty() || fs::is_directory(own))
         models.merge(read_models_folder(own, options.unit_m, warnings));
     return models;
@@ -273,7 +274,8 @@ std::string Dataset::place_of_targets() const { return (targets_file.empty() ? f
 
 Dataset read_dataset(fs::path const& folder, DatasetOptions const& options) {
     if (!fs::is_directory(folder))
-        io::fail(folder, "no such folder, expected a dataset");
+        io::fail(folder,
+                 fs::exists(folder) ? "is no folder, expected one, a dataset" : "no such folder, expected a dataset");
     if (fs::exists(folder / "frames.json"))
         return read_frames(folder, {folder}, parent_of(parent_of(folder)) / "meshes", options);
     if (auto const scenes = frames_below(folder / "depth"); !scenes.empty())

@@ -161,13 +161,15 @@ void read_infos(fs::path const& file, std::map<int, ObjectModel>& models, std::v
 }  // namespace
 
 std::map<int, ObjectModel> read_models_folder(fs::path const& folder, std::optional<double> unit_m,
-                                              std::vector<std::string>& warnings) {
+                                              std::vector<std::string>& warnings, fs::path const& other_infos) {
     std::set<fs::path> const meshes = meshes_in(folder);
     std::map<int, ObjectModel> models = models_by_number(meshes, unit_m);
     bool const is_bop = !models.empty();
     if (!is_bop)
         models = models_by_name(meshes, unit_m);
-    fs::path const infos = folder / "models_info.json";
+    fs::path infos = folder / "models_info.json";
+    if (is_bop && !fs::exists(infos) && fs::exists(other_infos))
+        infos = other_infos;
     if (is_bop || fs::exists(infos))
         read_infos(infos, models, warnings);
     return models;

@@ -202,7 +202,8 @@ Subcommand evaluate_command() {
                     ->type_name("DIR");
                 repeats(*command
                              .add_option("--models", request->models,
-                                         "Look for meshes and models_info.json in this folder first; may be repeated")
+                                         "Look for meshes and models_info.json in this folder first, then in the "
+                                         "dataset; may be repeated")
                              ->type_name("DIR"));
                 command.add_option("--models-in", request->models_in, "Unit of the meshes, m or mm (mm, of frames m)")
                     ->check(CLI::IsMember({"m", "mm"}))

@@ -71,6 +71,8 @@ TEST_CASE("Lines of an OBJ file may end and go on in any of the usual ways", "[m
     check_wedge(read("a.obj", replaced(file, "\n", "\r\n")));
     check_wedge(read("a.obj", replaced(file, "\n", "\r")));
     check_wedge(read("a.obj", file.substr(0, file.size() - 1)));
+    check_wedge(read("a.obj", file.substr(0, file.size() - 1) + "\\"));
+    check_wedge(read("a.obj", file.substr(0, file.size() - 1) + " \\"));
     check_wedge(read("a.obj", "\xEF\xBB\xBF" + file));
     check_wedge(read("a.obj", replaced(replaced(file, "f 1 ", "f 1 \\\n\t"), "2 0 3", "2\\\r\n 0 3")));
     check_wedge(read("a.obj", replaced(file, " ", " \t  ")));
@@ -210,6 +212,8 @@ TEST_CASE("Strips of a PLY file give the triangles of the same solid", "[mesh_re
     }
     CHECK_THAT(error("a.ply", replaced(PlyWriter("ascii").wedge(true), "5.000000 3.000000 ", "5.000000 6.000000 ")),
                Contains("a.ply:26: strip 1 (counted from 0) names vertex 6, which does not exist"));
+    CHECK_THAT(error("a.ply", replaced(PlyWriter("ascii").wedge(true), "-1.000000 ", "-2.000000 ")),
+               Contains("a.ply:25: strip 0 (counted from 0) names vertex -2, which does not exist"));
 }
 
 TEST_CASE("A PLY header that makes no sense is refused at its line", "[mesh_readers]") {

@@ -80,10 +80,12 @@ bool MeshText::next_line_of_words() {
 }
 
 bool MeshText::takes_continuation() {
-    if (!joins_lines_ || rest_.size() < 2 || rest_[0] != '\\' || line_ends.find(rest_[1]) == std::string_view::npos)
+    if (!joins_lines_ || rest_.empty() || rest_[0] != '\\' ||
+        (rest_.size() > 1 && line_ends.find(rest_[1]) == std::string_view::npos))
         return false;
     rest_.remove_prefix(1);
-    skip_line_end();
+    if (!rest_.empty())
+        skip_line_end();
     return true;
 }
 
@@ -96,8 +98,8 @@ void MeshText::skip_blanks() {
 std::string_view MeshText::word() {
     skip_blanks();
     std::size_t length = std::min(rest_.find_first_of(word_ends), rest_.size());
-    bool const is_continued = joins_lines_ && length > 0 && length < rest_.size() && rest_[length - 1] == '\\' &&
-                              line_ends.find(rest_[length]) != std::string_view::npos;
+    bool const is_continued = joins_lines_ && length > 0 && rest_[length - 1] == '\\' &&
+                              (length == rest_.size() || line_ends.find(rest_[length]) != std::string_view::npos);
     length -= is_continued ? 1U : 0U;
     std::string_view const found = rest_.substr(0, length);
     rest_.remove_prefix(length);

@@ -209,13 +209,13 @@ class PlyReader {
             numbers_->next(property.value);
     }
 
-    /// Strips are parted by a negative number.
+    /// Strips are parted by -1.
     void read_corners(PlyProperty const& property, std::uint64_t row, bool is_of_strips) {
         std::uint64_t const count = list_length(property);
         corners_.clear();
         for (std::uint64_t i = 0; i < count; ++i) {
             double const vertex = numbers_->next(property.value);
-            bool const is_end = is_of_strips && vertex < 0;
+            bool const is_end = is_of_strips && vertex == -1;
             if (!is_end && (!(vertex >= 0) || vertex != std::floor(vertex) ||
                             vertex >= std::min(static_cast<double>(vertices_), most_vertices)))
                 throw InputError(fmt::format(

@@ -119,7 +119,7 @@ class StlText {
 
     void end_loop() {
         if (!is_in_loop_ || corners_.size() < 3)
-            text_.fail(fmt::format("endloop after {} vertices, expected a loop of three", corners_.size()));
+            text_.fail(fmt::format("endloop after {} vertices, expected a loop of at least three", corners_.size()));
         is_in_loop_ = false;
         mesh_.add_polygon(corners_);
         corners_.clear();

@@ -472,6 +472,9 @@ TEST_CASE("JSON as loaders of Python take it: rows in rows, remarks, whole numbe
     CHECK(dataset.find({1, 0})->depth_unit_m == 0.001);
     folder.replace("test_targets_bop19.json", "\"im_id\": 0.0,", "\"im_id\": 0.5,");
     CHECK(complaint(folder) == "test_targets_bop19.json: [0].im_id = 0.5, expected an integer from 0");
+    folder.write("test_targets_bop19.json", "[\n" + std::string(64, '[') + std::string(64, ']') + "]");
+    CHECK(complaint(folder) ==
+          "test_targets_bop19.json:2: has arrays and objects more than 64 deep, expected targets as BOP has them");
 }
 
 TEST_CASE("The size of an image is its own, whatever camera.json says of those to be rendered", "[bop]") {

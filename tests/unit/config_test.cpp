@@ -333,6 +333,12 @@ TEST_CASE("An integer is a plain decimal number", "[config][errors]") {
           "--set accelerator.window=" + value + ": expected an integer from 1 to 4096");
 }
 
+TEST_CASE("An integer of more than 63 bits is told how large it may be", "[config][errors]") {
+    CHECK(set_error("workload.samples.seed=9223372036854775808") ==
+          "--set workload.samples.seed=9223372036854775808: expected an integer, 0 or more, up to 9223372036854775807");
+    CHECK(set_error("workload.samples.seed=-1") == "--set workload.samples.seed=-1: expected an integer, 0 or more");
+}
+
 TEST_CASE("No value and a null are wrong wherever a value is expected", "[config][errors]") {
     std::string const value = GENERATE("", "~", "null");
     CHECK(file_error("accelerator:\n  window: " + value + "\n") ==

@@ -156,6 +156,7 @@ TEST_CASE("Another format or version is an input error", "[trace]") {
           "trace.yaml:1: format = slower-trace, expected faster-trace");
     CHECK(edited_error("trace.yaml", "version: 1", "version: 2") == "trace.yaml:2: version = 2, expected 1");
     CHECK(edited_error("trace.yaml", "version: 1", "version: 1.0") == "trace.yaml:2: version = 1.0, expected 1");
+    CHECK(edited_error("trace.yaml", "version: 1", "version: \"1\"") == "trace.yaml:2: version = \"1\", expected 1");
 }
 
 TEST_CASE("An unknown key is an input error that names the nearest key", "[trace]") {

@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <fmt/format.h>
 #include <string>
 #include <vector>
@@ -16,6 +17,16 @@ inline CLI::Validator number_in(double least, double most) {
         return is_sound ? std::string{} : fmt::format("expected a number from {} to {}, found {}", least, most, text);
     };
     return CLI::Validator(check, fmt::format("NUMBER in [{} - {}]", least, most));
+}
+
+/// Of integers that CLI::Range, whose numbers are doubles or ints, cannot tell apart.
+inline CLI::Validator integer_in(std::uint64_t least, std::uint64_t most) {
+    auto const check = [least, most](std::string const& text) {
+        std::uint64_t number = 0;
+        bool const is_sound = CLI::detail::lexical_cast(text, number) && number >= least && number <= most;
+        return is_sound ? std::string{} : fmt::format("expected an integer from {} to {}, found {}", least, most, text);
+    };
+    return CLI::Validator(check, fmt::format("INT in [{} - {}]", least, most));
 }
 
 /// Given again for each further value, which its help says.

@@ -86,6 +86,9 @@ std::optional<ImageBox> read_box(io::JsonNode const& node) {
         return std::nullopt;
     if (numbers[2] < 0 || numbers[3] < 0)
         node.fail("a box x, y, width, height of no negative size");
+    constexpr double most_px = 1e6;  // far beyond any image, and within what samples' pixels can be
+    if (std::any_of(numbers.begin(), numbers.end(), [](double number) { return std::abs(number) > most_px; }))
+        node.fail("a box x, y, width, height of no more than a million pixels each");
     return ImageBox{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 

@@ -127,7 +127,7 @@ Subcommand edge_quality_command() {
                 command.add_option("--seed", request->seed, "Seed of the poses")
                     ->type_name("N")
                     ->capture_default_str()
-                    ->check(number_in(0, 9e18));
+                    ->check(integer_in(0, 9'000'000'000'000'000'000));
                 command.add_option("--classes", request->classes, "Built-in objects, with commas between (all)")
                     ->type_name("NAMES")
                     ->delimiter(',');

@@ -223,7 +223,7 @@ Subcommand evaluate_command() {
                     ->capture_default_str();
                 command.add_option("--seed", request->seed, "Of the bootstrap")
                     ->type_name("N")
-                    ->check(number_in(0, 9e18))
+                    ->check(integer_in(0, 9'000'000'000'000'000'000))
                     ->capture_default_str();
                 command.add_option("--bootstraps", request->replicates, "How often to draw the images anew")
                     ->type_name("N")

@@ -18,7 +18,9 @@ std::string range(Interval const& interval) {
 std::string signed_range(Interval const& interval) {
     if (std::isnan(interval.value))
         return " - |";
-    return fmt::format(" {:+.1f} ({:+.1f} .. {:+.1f}) |", interval.value, interval.low, interval.high);
+    auto const shown = [](double value) { return std::abs(value) < 0.05 ? 0.0 : value; };  // no -0.0
+    return fmt::format(" {:+.1f} ({:+.1f} .. {:+.1f}) |", shown(interval.value), shown(interval.low),
+                       shown(interval.high));
 }
 
 /// What `cell` makes of each score that has a place on the terminal.

@@ -47,6 +47,14 @@ std::string_view number_of_python(std::string_view text, std::size_t byte) {
     return {};
 }
 
+/// What keeps a text from being read, found at a byte.
+std::string fault_of(std::string_view text, std::size_t byte) {
+    if (first_too_deep(text) > 0)
+        return fmt::format("has arrays and objects more than {} deep", deepest);
+    std::string_view const word = number_of_python(text, byte);
+    return word.empty() ? "is cut off or no JSON from here on" : fmt::format("{}, which is no JSON", word);
+}
+
 }  // namespace
 
 Json parse_json(std::string_view text) {
@@ -61,10 +69,8 @@ Json read_json_file(std::filesystem::path const& path, std::string const& expect
         return parse_json(text);
     } catch (Json::parse_error const& error) {
         auto const end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        std::string_view const word = number_of_python(text, error.byte);
-        throw InputError(fmt::format(
-            "{}:{}: {}, expected {}", path.string(), std::count(text.begin(), end, '\n') + 1,
-            word.empty() ? "is cut off or no JSON from here on" : fmt::format("{}, which is no JSON", word), expected));
+        throw InputError(fmt::format("{}:{}: {}, expected {}", path.string(), std::count(text.begin(), end, '\n') + 1,
+                                     fault_of(text, error.byte), expected));
     } catch (Json::exception const&) {  // no other is documented, and it is what a number like 1e999 gives
         throw InputError(fmt::format("{}: holds a number beyond all limits, expected {}", path.string(), expected));
     }

@@ -147,8 +147,7 @@ Entries merged_entries(YAML::Node const& map) {
     std::vector<YAML::Node> merged;
     for (auto const& entry : map)
         if (is_merge_key(entry.first) && !merged.empty())
-            throw YAML::ParserException(entry.first.Mark(),
-                                        "a second << in a map, expected one, with a list: [*a, *b]");
+            throw YAML::ParserException(entry.first.Mark(), "a second << in a map, where one takes a list ([*a, *b])");
         else if (is_merge_key(entry.first))
             merged.push_back(entry.second);
         else

@@ -1,7 +1,9 @@
 #include "dataflow/run/config/value_reader.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 
 #include "dataflow/base/nearest_name.hpp"
@@ -90,10 +92,19 @@ class ValueReader {
     std::optional<KeyValue> plain(Key const& key, YAML::Node const& node, Parse parse, Accepts is_accepted) const {
         auto const value = is_plain_scalar(node) ? parse(node.Scalar()) : std::nullopt;
         if (!value || !is_accepted(*value)) {
-            expected(node, expectation(key));
+            expected(node, expectation(key) + bound_passed(key, node));
             return std::nullopt;
         }
         return held(value);
+    }
+
+    /// By an integer that would be accepted if it could be kept.
+    static std::string bound_passed(Key const& key, YAML::Node const& node) {
+        constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+        bool const is_open = key.kind == KeyKind::integer && key.integers.max == most;
+        bool const is_too_long = is_open && is_plain_scalar(node) && is_integer_text(node.Scalar()) &&
+                                 !parse_integer(node.Scalar());
+        return is_too_long ? fmt::format(", up to {}", most) : "";
     }
 
     std::optional<KeyValue> choice(Key const& key, YAML::Node const& node) const {

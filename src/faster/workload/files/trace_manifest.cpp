@@ -69,7 +69,10 @@ class Section {
 
     int integer(std::string const& key, int min, int max) const {
         YAML::Node const node = at(key);
-        std::string const digits = node.IsScalar() ? node.Scalar() : std::string{"(no single value)"};
+        bool const is_quoted = node.Tag() == "!";  // and text then, as in configurations
+        std::string const digits = !node.IsScalar() ? "(no single value)"
+                                   : is_quoted      ? '"' + node.Scalar() + '"'
+                                                    : node.Scalar();
         int value = 0;
         auto const result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         bool const is_integer = result.ec == std::errc{} && result.ptr == digits.data() + digits.size();

@@ -223,13 +223,17 @@ class Describer {
 
 }  // namespace
 
-HlsDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make) {
+HlsDescription describe_hls_functions(SimpleFacts const& facts, MakeHlsDesign const& make) {
     Numbers defaults;
     for (DesignNumber const& number : facts.numbers)
         defaults.of(number.key) = number.otherwise;
     defaults.of("workload.samples") = 1;
     std::unique_ptr<HlsDesign> const design = make(defaults);
     return Describer(*design).description();
+}
+
+CoreDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make) {
+    return describe_hls_functions(facts, make).core;
 }
 
 }  // namespace dataflow

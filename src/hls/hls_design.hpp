@@ -91,7 +91,9 @@ struct HlsDescription {
     /// By process: loops that only say where others end. `core` does not have them.
     std::vector<untimed::LoopNames> around;
 };
-HlsDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make);
+HlsDescription describe_hls_functions(SimpleFacts const& facts, MakeHlsDesign const& make);
+/// Its core alone.
+CoreDescription describe_hls_design(SimpleFacts const& facts, MakeHlsDesign const& make);
 
 /// What one process does in one call.
 struct HlsScript {
@@ -153,7 +155,7 @@ template <class Design> class HlsCoreOf final : public HlsCore {
 
   private:
     static HlsDescription const& described() {
-        static HlsDescription const one = describe_hls_design(Design::facts(), make_hls_design<Design>);
+        static HlsDescription const one = describe_hls_functions(Design::facts(), make_hls_design<Design>);
         return one;
     }
 };

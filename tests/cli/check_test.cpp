@@ -33,7 +33,8 @@ std::string head(std::string const& more = "") {
 }
 std::string const empty_trace = "trace: " + source + "/traces/empty\n";
 std::string const some_baseline =
-    "baseline: {date: 2026-01-01, reason: x, configuration: fnv1a64:0123456789abcdef, figures: {total_cycles: 16000}}\n";
+    "baseline: {date: 2026-01-01, reason: x, configuration: fnv1a64:0123456789abcdef, figures: {total_cycles: "
+    "16000}}\n";
 /// Takes minutes.
 std::string const endless =
     head("  workload.samples.count: 1000000\n") + "limits:\n  total_cycles: {max: 5}\n" + some_baseline;

@@ -20,7 +20,8 @@ Baseline new_baseline() {
 }
 
 std::string const new_lines =
-    "  date: 2026-05-06\n  reason: \"deeper FIFO # not a comment\"\n  configuration: fnv1a64:0000000000000002\n  accelerator: {}\n"
+    "  date: 2026-05-06\n  reason: \"deeper FIFO # not a comment\"\n  configuration: fnv1a64:0000000000000002\n  "
+    "accelerator: {}\n"
     "  figures:\n    total_cycles: 99\n    fifos.vertex: {depth: 4, writes: 8}\n";
 
 std::string const old_lines =
@@ -49,7 +50,8 @@ TEST_CASE("Comments inside the baseline stay where they were") {
         "    # gone with its FIFO\n    fifos.area: {depth: 2}  # too\n    # last\n";
     std::string const expected =
         "a: 1\nbaseline:  # ours\n  # when\n  date: 2026-05-06\n  reason: \"deeper FIFO # not a comment\"  # by M.\n"
-        "  configuration: fnv1a64:0000000000000002\n  accelerator: {}\n  figures:\n    # the total\n    total_cycles: 99  # 25 ns\n"
+        "  configuration: fnv1a64:0000000000000002\n  accelerator: {}\n  figures:\n    # the total\n    total_cycles: "
+        "99  # 25 ns\n"
         "    fifos.vertex: {depth: 4, writes: 8}\n    # gone with its FIFO\n  # too\n    # last\n";
     CHECK(replaced(old) == expected);
     CHECK(replaced(replaced(old)).find("# when") != std::string::npos);

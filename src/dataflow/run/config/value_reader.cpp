@@ -102,8 +102,8 @@ class ValueReader {
     static std::string bound_passed(Key const& key, YAML::Node const& node) {
         constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
         bool const is_open = key.kind == KeyKind::integer && key.integers.max == most;
-        bool const is_too_long = is_open && is_plain_scalar(node) && is_integer_text(node.Scalar()) &&
-                                 !parse_integer(node.Scalar());
+        bool const is_too_long =
+            is_open && is_plain_scalar(node) && is_integer_text(node.Scalar()) && !parse_integer(node.Scalar());
         return is_too_long ? fmt::format(", up to {}", most) : "";
     }
 

@@ -165,7 +165,7 @@ TEST_CASE("Comparing with a folder without a run is refused") {
     runs.check_refused({"a"}, {"run_b", "required"});
     runs.check_refused({"a", "a", "--top", "-1"}, {"--top"});
     runs.check_refused({"a", "a", "--top", "some"}, {"--top"});
-    for (std::string const file : {"samples.csv", "fifos.csv", "loops.csv", "all_loops.csv"}) {
+    for (std::string const file : {"samples.csv", "fifos.csv", "loops.csv"}) {
         fs::rename(runs.folder() / ("a/" + file), runs.folder() / "aside");
         runs.check_refused({"a", "a"}, {"a/" + file + ": no such file"});
         fs::rename(runs.folder() / "aside", runs.folder() / ("a/" + file));

@@ -80,7 +80,7 @@ TEST_CASE("JSON is nested 64 deep and no deeper, whatever stands in its strings"
     for (std::string const& text : {nested(65), std::string(1'000'000, '['), "{\"a\": " + nested(64) + "}"}) {
         auto const file = folder.write("a.json", text);
         CHECK_THAT(input_error_text([&] { read_json_file(file, "none"); }),
-                   Contains("a.json:1: is cut off or no JSON"));
+                   Contains("a.json:1: has arrays and objects more than 64 deep"));
     }
 }
 

@@ -336,7 +336,7 @@ RunRecord read_run(std::filesystem::path const& folder) {
     run.samples = read_samples(folder / "samples.csv", run, figure(summary.at("samples")));
     check_all(folder / "fifos.csv", fifo_columns, run.fifos, "FIFOs");
     check_loops(folder / "loops.csv", run);
-    if (document.contains("made_by"))  // summaries have it since there is the file
+    if (fs::exists(folder / "all_loops.csv"))  // older runs have none, nor what Python passes on
         check_all(folder / "all_loops.csv", loop_columns, run.loops, "loops");
     return run;
 }

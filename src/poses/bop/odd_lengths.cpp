@@ -38,14 +38,15 @@ double diameter_about(std::vector<Eigen::Vector3d> const& vertices) {
     constexpr int directions = 240;
     double const golden_angle = dataflow::portable::pi * (3 - std::sqrt(5.0));
     std::vector<Eigen::Vector3d> furthest;
+    std::vector<double> reach(vertices.size());
     for (int i = 0; i < directions; ++i) {  // along a spiral over the half of a sphere
         double const z = (i + 0.5) / directions, radius = std::sqrt(1 - z * z), angle = i * golden_angle;
         Eigen::Vector3d const direction(radius * std::cos(angle), radius * std::sin(angle), z);
-        auto const [low, high] = std::minmax_element(
-            vertices.begin(), vertices.end(),
-            [&](Eigen::Vector3d const& a, Eigen::Vector3d const& b) { return direction.dot(a) < direction.dot(b); });
-        furthest.push_back(*low);
-        furthest.push_back(*high);
+        std::transform(vertices.begin(), vertices.end(), reach.begin(),
+                       [&](Eigen::Vector3d const& vertex) { return direction.dot(vertex); });
+        for (auto const place :
+             {std::min_element(reach.begin(), reach.end()), std::max_element(reach.begin(), reach.end())})
+            furthest.push_back(vertices[static_cast<std::size_t>(place - reach.begin())]);
     }
     return diameter_of(furthest);
 }

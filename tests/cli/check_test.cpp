@@ -252,12 +252,16 @@ TEST_CASE("Figures of single cores can be limited, all of them together") {
 TEST_CASE("A budget started from a run is commented, passes at once, and overwrites nothing") {
     TempFolder const folder;
     fs::create_directory(folder / "sub");
-    Words const words{"--init", source + "/configs/faster_zcu102.yaml", "--trace", source + "/traces/edge_heavy",
-                      "--set",  "accelerator.raster_cores=2",           "--out",   "sub/mine.yaml"};
+    Words const words{"--init",  source + "/configs/faster_zcu102.yaml",
+                      "--trace", source + "/traces/edge_heavy",
+                      "--set",   "accelerator.raster_cores=1",
+                      "--set",   "accelerator.raster_cores=2",
+                      "--out",   "sub/mine.yaml"};
     CommandResult const result = check(folder, words);
     require_done(result);
     CHECK_THAT(result.out, Contains("written: sub/mine.yaml"));
-    CHECK_THAT(content_of(folder / "sub/mine.yaml"), Contains("  # No sample takes longer than it does today"));
+    CHECK_THAT(content_of(folder / "sub/mine.yaml"), Contains("  # No sample takes longer than it does today") &&
+                                                         Contains("configuration\n  accelerator.raster_cores: 2\n\n"));
     require_done(check(folder, {"sub/mine.yaml"}));
     CHECK(check(folder, {"sub/mine.yaml", "--set", "accelerator.loops.inlier_unit.sweep.ii=4"}).exit_code == 1);
     check_bad_input(check(folder, words), {"sub/mine.yaml: is there already"});

@@ -44,6 +44,19 @@ std::string seen_from(fs::path const& folder, std::string const& path) {
     return fs::weakly_canonical(fs::absolute(path)).lexically_relative(fs::weakly_canonical(folder)).string();
 }
 
+/// Of several settings of one key the last, which wins: a budget says each key once.
+std::vector<std::string> last_of_each_key(std::vector<std::string> const& overrides) {
+    std::vector<std::string> last;
+    for (std::string const& setting : overrides) {
+        std::string const key = setting.substr(0, setting.find('=') + 1);
+        last.erase(std::remove_if(last.begin(), last.end(),
+                                  [&](std::string const& other) { return other.rfind(key, 0) == 0; }),
+                   last.end());
+        last.push_back(setting);
+    }
+    return last;
+}
+
 Budget new_budget(CheckRequest const& request) {
     Budget budget;
     budget.file = request.out.empty() ? fs::path(request.init).stem().string() + ".budget.yaml" : request.out;
@@ -52,7 +65,7 @@ Budget new_budget(CheckRequest const& request) {
     fs::path const folder = fs::absolute(budget.file).parent_path();
     budget.configuration = seen_from(folder, request.init);
     budget.trace = seen_from(folder, request.trace);
-    budget.overrides = request.overrides;
+    budget.overrides = last_of_each_key(request.overrides);
     return budget;
 }
 

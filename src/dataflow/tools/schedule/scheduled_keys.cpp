@@ -268,15 +268,15 @@ NameMap read_name_map(std::string const& file) {
         return names;
     if (!root.IsMap())
         throw InputError(file + ": no map, expected loops: and fifos:");
+    std::set<std::string> seen;
     for (auto const& section : root) {
         std::string const name = section.first.IsScalar() ? section.first.Scalar() : "";
         if (name != "loops" && name != "fifos")
             throw InputError(
                 fmt::format("{}:{}: section {}, expected loops or fifos", file, section.first.Mark().line + 1, name));
-        std::map<std::string, std::string>& pairs = name == "loops" ? names.loops : names.fifos;
-        if (!pairs.empty())
+        if (!seen.insert(name).second)
             fail_twice(file, section.first, name);
-        pairs = pairs_of(file, section.second, name);
+        (name == "loops" ? names.loops : names.fifos) = pairs_of(file, section.second, name);
     }
     return names;
 }

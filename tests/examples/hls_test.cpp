@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -169,6 +170,44 @@ TEST_CASE("Results are those of all functions, whoever returns first", "[example
                 CHECK(table.substr(table.find('\n', row + 1) - 3, 3) == ",45");
             fs::remove_all(folder / "out");
         }
+}
+
+/// What the design of examples/hls_mistakes.cpp says of a run in which it makes `mistake`.
+std::string said_of(std::string const& mistake, Words const& settings) {
+    TempFolder const folder;
+    setenv("MISTAKE", mistake.c_str(), 1);
+    CommandResult const result =
+        run_command(HLS_MISTAKES_BINARY, with_settings({"run", "/dev/null", "--set", "workload.samples=6"}, settings),
+                    folder.path());
+    unsetenv("MISTAKE");
+    return std::to_string(result.exit_code) + ": " + result.out + result.err;
+}
+
+TEST_CASE("A mistake of functions is one line, in both engines and with any number of cores", "[examples]") {
+    std::string const engine = GENERATE("lockstep", "decoupled");
+    std::string const cores = GENERATE("1", "3");
+    CAPTURE(engine, cores);
+    auto const says = [&](std::string const& mistake) {
+        return said_of(mistake, {"simulation.engine=" + engine, "accelerator.cores=" + cores});
+    };
+    std::string const who = "2: hls_mistakes: ";
+    CHECK_THAT(says("none"), Contains(cores == "1" ? "total  98 cycles" : "total  34 cycles"));
+    CHECK(says("early token") == who +
+                                     "stream number holds a token before a process has begun, expected only "
+                                     "processes to write it\n");
+    CHECK(says("constructor") ==
+          who + "the constructor of design hls_mistakes has thrown: no such table, expected one that returns\n");
+    CHECK(says("results") == who + "results() of the design has thrown: no such sum, expected its counters\n");
+    CHECK(says("shared stream") == who +
+                                       "stream shared is none of the design's, expected streams between functions as "
+                                       "members of the class that derives HlsDesign\n");
+    CHECK(says("other's end") ==
+          who + "process adder asks stream number by full(), expected only process sender to, which writes it\n");
+    CHECK_THAT(says("late attempt"), Contains(who + "process sender accesses stream number by write_nb() or full()"));
+    CHECK_THAT(says("too many"),
+               Contains("3: ") && Contains("deadlock at cycle " + std::string(cores == "1" ? "104" : "35")) &&
+                   Contains("adder (loop add, iteration ") &&
+                   Contains("tests/examples/hls_mistakes.cpp:37) waits for sender to write to number"));
 }
 
 TEST_CASE("What-if, sizes and waveforms know a design of functions", "[examples]") {

@@ -81,6 +81,9 @@ void LoopRecorder::put_around(Open& outer) {
     if (loop.is_pipelined)
         throw InputError("process " + process_ + " has a marked loop in its pipelined loop " + loop.name +
                          ", which a tool would unroll, expected a mark of one of the two only");
+    if (loop.is_block())
+        throw InputError("process " + process_ + " has a marked loop in its block of states " + loop.name +
+                         ", expected a block without one, { FASTER_STATES(" + loop.name + ", STATES); }");
     outer.is_around = true;
     around_.insert(loop.name);
     for (Access const& one : std::exchange(outer.accesses, {}))

@@ -32,6 +32,12 @@ void sender(hls::stream<int>& number, std::uint64_t call) {
 }
 
 void adder(hls::stream<int>& number, std::uint32_t& sum) {
+    if (makes("loop in states")) {
+        FASTER_STATES(pause, 3);
+        for (int i = 0; i < 2; ++i) {
+            FASTER_PIPELINE(idle, 1);
+        }
+    }
     sum = makes("other's end") && number.full() ? 1 : 0;
     for (int i = 0; i < (makes("too many") ? 13 : 12); ++i) {
         FASTER_PIPELINE(add, 1);

@@ -1,6 +1,7 @@
 #include "chance/chance_design.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <random>
 
 #include "dataflow/core/machine/core_of.hpp"
@@ -553,6 +554,11 @@ std::uint64_t accesses_of(Design const& design, std::size_t process, std::size_t
             count += std::count(iteration.begin(), iteration.end(), fifo);
     }
     return static_cast<std::uint64_t>(count);
+}
+
+std::uint64_t asked(char const* name, std::uint64_t otherwise) {
+    char const* const text = std::getenv(name);
+    return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
 namespace {

@@ -129,6 +129,9 @@ MachineSettings settings_of(Design const& design);
 /// What a process does at a FIFO in a sample, found or not.
 std::uint64_t accesses_of(Design const& design, std::size_t process, std::size_t fifo);
 
+/// What the environment asks for: CHANCE_SEED, the first, and CHANCE_DESIGNS, how many.
+std::uint64_t asked(char const* name, std::uint64_t otherwise);
+
 /// For people, to see a failure by.
 std::string text_of(Design const& design);
 

@@ -104,12 +104,6 @@ void check_design(Design const& design, std::uint64_t seed, Count& count) {
 
 void check_seed(std::uint64_t seed, Count& count) { check_design(random_design(seed), seed, count); }
 
-/// What the environment asks for: CHANCE_SEED, the first, and CHANCE_DESIGNS, how many.
-std::uint64_t asked(char const* name, std::uint64_t otherwise) {
-    char const* const text = std::getenv(name);
-    return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
 TEST_CASE("random designs that once did not agree do") {
     Count count;
     for (std::uint64_t const seed :

@@ -10,6 +10,7 @@
 namespace dataflow {
 
 using untimed::Access;
+using untimed::Accesses;
 using untimed::Event;
 using untimed::LoopMark;
 
@@ -123,7 +124,7 @@ class HlsModule : public SimpleModule {
         std::size_t at = begin + 1;
         std::uint64_t done = 0;  // of the event at hand
         auto const do_iteration = [&](std::uint64_t) {
-            for (Access const& access : recorder().groups()[script_->events[at].number])
+            for (Access const& access : in_order_[script_->events[at].number])
                 access.writes ? core_.stream_fifo(access.stream).write(next_token(access.stream)) : take(access.stream);
             if (++done == script_->events[at].count) {
                 ++at;
@@ -134,9 +135,22 @@ class HlsModule : public SimpleModule {
         return end;
     }
     void require_described(char const* loop, std::size_t group) {
-        if (described_.emplace(loop, group).second)
-            for (Access const& access : recorder().groups()[group])
-                core_.require_described(number_, loop, access);
+        if (!described_.emplace(loop, group).second)
+            return;
+        for (Access const& access : recorder().groups()[group])
+            core_.require_described(number_, loop, access);
+        put_in_order(group);
+    }
+    /// Of several streams that an iteration waits for, the description's order says which is named.
+    void put_in_order(std::size_t group) {
+        in_order_.resize(std::max(in_order_.size(), group + 1));
+        in_order_[group] = recorder().groups()[group];
+        std::sort(in_order_[group].begin(), in_order_[group].end(),
+                  [this](Access const& one, Access const& other) { return port_of(one) < port_of(other); });
+    }
+    unsigned port_of(Access const& access) const {
+        ClockedFifo<std::int64_t> const& fifo = core_.stream_fifo(access.stream);
+        return (access.writes ? fifo.write_port() : fifo.read_port()).first();
     }
     void take(std::size_t stream) {
         clock_.take_later(core_.stream_fifo(stream), [](std::int64_t) {});
@@ -159,6 +173,7 @@ class HlsModule : public SimpleModule {
     HlsScript const* script_ = nullptr;
     std::vector<std::size_t> written_;                         // of the call at hand, by stream
     std::set<std::pair<char const*, std::size_t>> described_;  // loops, or none, and groups of accesses in them
+    std::vector<Accesses> in_order_;                           // of those groups
 };
 
 }  // namespace

@@ -91,8 +91,6 @@ class FunctionMaker {
             }
         std::shuffle(accesses.begin(), accesses.end(), dice_);
         note(accesses);
-        std::sort(accesses.begin(), accesses.end(),
-                  [this](std::size_t one, std::size_t other) { return place_of(one) < place_of(other); });
         return accesses;
     }
 

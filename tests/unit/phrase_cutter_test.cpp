@@ -256,4 +256,15 @@ TEST_CASE("All that is known of a phrase follows from its codes", "[phrases]") {
     CHECK(phrases > 1000);
 }
 
+/// The columns of docs/formats.md, "A sample's content": who changes them changes the page, and the version of event
+/// files.
+TEST_CASE("The bits of a code are those that the page of the formats states") {
+    Operation operation(Operation::Kind::iterate, 5, 7, 11);
+    operation.add_tail(3, 2);
+    CHECK(operation.code() == ((Operation::Code{3} << 61U) | (Operation::Code{5} << 50U) | (Operation::Code{3} << 39U) |
+                               (Operation::Code{7} << 29U) | (Operation::Code{2} << 19U) | 11U));
+    CHECK(Operation::mix(5, 6, 0x2AU).code() ==
+          ((Operation::Code{6} << 61U) | (Operation::Code{5} << 50U) | (Operation::Code{6} << 44U) | 0x2AU));
+}
+
 }  // namespace dataflow::timing::phrase_cutter_test

@@ -1,10 +1,12 @@
 #include "channels/dataflow_accelerator.hpp"
 
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "channels/own_stack.hpp"
+#include "dataflow/base/as_mistake.hpp"
 #include "dataflow/base/input_error.hpp"
 
 namespace dataflow {
@@ -96,6 +98,11 @@ void DataflowAccelerator::start() {
     } catch (sc_core::sc_report const& report) {
         throw InputError(std::string("SystemC: ") + report.get_msg_type() + ": " + report.get_msg() +
                          ", expected a design that it can run");
+    } catch (...) {
+        std::rethrow_exception(as_mistake([](char const* what) {
+            return std::string("a module has thrown ") + (what != nullptr ? what : "what is no std::exception") +
+                   " outside of work(), expected it to return";
+        }));
     }
 }
 

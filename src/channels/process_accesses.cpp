@@ -49,6 +49,17 @@ void ProcessClock::refuse_in_tokens_body(std::string const& what) const {
                      "accesses all its ports itself");
 }
 
+void ProcessClock::refuse_wait(Cycles cycles) const {
+    throw InputError("module " + timing_.name() + " lets " + std::to_string(cycles) + " cycles pass, expected up to " +
+                     std::to_string(longest_wait));
+}
+
+void ProcessClock::refuse_number(unsigned loop) const {
+    throw InputError("module " + timing_.name() + " begins its loop number " + std::to_string(loop) +
+                     ", expected one of its " + std::to_string(timing_.loops().size()) +
+                     ", as clock_.loop(NAME) tells it");
+}
+
 void ProcessClock::refuse_inside(char const* what) const {
     throw InputError("module " + timing_.name() + " " + what +
                      " inside of a step or an iteration of a loop, expected it before or behind that");

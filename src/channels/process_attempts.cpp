@@ -77,6 +77,11 @@ void ProcessClock::reach_step(std::uint64_t step, bool stops_before) {
 
 void ProcessClock::tell_behind_attempt(timing::Ports port) {
     std::uint64_t const step = reached_ + step_of(port.first());
+    if (step < *last_attempt_ && is_memory(port.first()))
+        throw InputError(
+            "module " + timing_.name() +
+            " accesses the memory behind an access that does not wait and that is in a later stage, expected "
+            "clock_.access_memory() before it");
     if (step < *last_attempt_)
         throw InputError(
             "module " + timing_.name() + (timing_.writes(port.first()) ? " writes " : " reads ") +

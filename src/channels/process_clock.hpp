@@ -79,6 +79,8 @@ class ProcessClock {
     /// T += cycles.
     void advance(Cycles cycles) {
         require_outside("lets time pass");
+        if (cycles > longest_wait)
+            refuse_wait(cycles);
         say([cycles](OperationLog& log) {
             Cycles left = cycles;
             for (; left > longest_count; left -= longest_count)
@@ -117,6 +119,8 @@ class ProcessClock {
     void enter_loop(unsigned loop, SourceSite site = SourceSite::here()) {
         if (collecting_ || is_in_loop_)
             refuse_inside("begins a loop");
+        if (loop >= timing_.loops().size())
+            refuse_number(loop);
         is_in_loop_ = true;
         if (stream_ != nullptr)
             enter_memory(loop);
@@ -416,6 +420,9 @@ class ProcessClock {
         if (collecting_ || is_in_tokens_body_)
             refuse_inside(what);
     }
+    static constexpr Cycles longest_wait = Cycles{1} << 40U;
+    [[noreturn]] void refuse_wait(Cycles cycles) const;
+    [[noreturn]] void refuse_number(unsigned loop) const;
     [[noreturn]] void refuse_inside(char const* what) const;
     void require_loop(char const* what) const {
         if (!is_in_loop_)

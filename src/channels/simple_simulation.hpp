@@ -1,4 +1,5 @@
 #pragma once
+#include <exception>
 #include <memory>
 #include <string>
 #include <utility>
@@ -6,6 +7,7 @@
 
 #include "channels/sample_module.hpp"
 #include "channels/simulated_design.hpp"
+#include "dataflow/base/as_mistake.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/run/config/simple_design.hpp"
 
@@ -93,16 +95,32 @@ template <class Core> class SimpleSimulation final : public SimpleDesign, public
                                                    Workload& workload) const override {
         auto const make_core = [&config](char const* name, std::shared_ptr<Machine const> const& of, CoreShare share,
                                          TimeBase const& time_base) {
-            return std::make_unique<Core>(SimpleCoreParts{name, numbers_of(config), of, share, time_base});
+            return of_user("the constructor of the design's core", [&] {
+                return std::make_unique<Core>(SimpleCoreParts{name, numbers_of(config), of, share, time_base});
+            });
         };
         return std::make_unique<DataflowAccelerator>("accelerator", std::move(machine), workload.samples(),
                                                      config.simulation.engine, make_core);
     }
 
   protected:
-    CoreDescription describe(Numbers const& numbers) const override { return Core::describe(numbers); }
+    CoreDescription describe(Numbers const& numbers) const override {
+        return of_user("describe() of the design", [&numbers] { return Core::describe(numbers); });
+    }
 
   private:
+    /// What the user's code throws is a mistake of the design.
+    template <class Call> static auto of_user(char const* which, Call const& call) {
+        try {
+            return call();
+        } catch (...) {
+            std::rethrow_exception(as_mistake([which](char const* what) {
+                return which + std::string(" has thrown ") + (what != nullptr ? what : "what is no std::exception") +
+                       ", expected it to return";
+            }));
+        }
+    }
+
     class SampleCount final : public Workload {
       public:
         explicit SampleCount(std::size_t number) : samples_(number) {}

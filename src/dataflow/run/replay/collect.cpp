@@ -81,6 +81,7 @@ class CycleSorter {
         cut_off(process, process.end() - end - waited_beyond, row);
         if (row.sum() > end)  // it can only be iterations that wait for writes, of which nobody knows when they did
             row[CycleClass::recurrence] -= std::min(row[CycleClass::recurrence], row.sum() - end);
+        take_off_stalls(process, row.sum() - std::min(end, row.sum()), row);
         row[CycleClass::busy] = end - std::min(end, row.sum());
         row[CycleClass::idle_after] = total_cycles_ - end;
         return row;
@@ -91,6 +92,7 @@ class CycleSorter {
     void add_loop_costs(timing::ProcessTiming const& process, ProcessStatistics& row) const;
     Cycles cycles_of_setups(timing::ProcessTiming const& process) const;
     void cut_off(timing::ProcessTiming const& process, Cycles beyond, ProcessStatistics& row) const;
+    void take_off_stalls(timing::ProcessTiming const& process, Cycles excess, ProcessStatistics& row) const;
 
     timing::CoreTiming const& core_;
     Machine const& machine_;
@@ -137,6 +139,20 @@ Cycles CycleSorter::cycles_of_setups(timing::ProcessTiming const& process) const
     Cycles const counted =
         described.setup_counter ? core_.fifos()[*described.setup_counter].writes() * described.setup_cycles : 0;
     return counted + process.awaited_setup_cycles();
+}
+
+/// Who waits behind the end more often than is kept (ProcessFigures::latest_waits) has stalls of more cycles than the
+/// run.
+void CycleSorter::take_off_stalls(timing::ProcessTiming const& process, Cycles excess, ProcessStatistics& row) const {
+    for (auto port = static_cast<unsigned>(process.port_count()); port-- > 0 && excess > 0;) {
+        if (process.fifo(port).is_stream())
+            continue;
+        Cycles& stall = row.stalls[core_.number_of(process.fifo(port))];
+        Cycles const part = std::min(stall, excess);
+        stall -= part;
+        row[process.writes(port) ? CycleClass::full_stall : CycleClass::empty_stall] -= part;
+        excess -= part;
+    }
 }
 
 /// Takes the last `beyond` cycles of a process away, which are not part of the run: of the drain of its last loop, and

@@ -239,6 +239,14 @@ TEST_CASE("no time passes inside of a step or an iteration, and no loop begins t
             [](ProcessClock& clock) { clock.pipeline_while("inner", [](std::uint64_t) { return false; }); });
 }
 
+TEST_CASE("a loop of no number, and a wait without end, are told") {
+    Pair pair = sound_pair();
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>&) { clock.enter_loop(99); };
+    check_both(pair, "module writer begins its loop number 99, expected one of its 1, as clock_.loop(NAME) tells it");
+    pair.writes = [](ProcessClock& clock, ClockedFifo<Token>&) { clock.advance(Cycles{0} - 1); };
+    check_both(pair, "module writer lets 18446744073709551615 cycles pass, expected up to 1099511627776");
+}
+
 TEST_CASE("iterations and setups are told inside of a loop only, and a loop is left once") {
     auto const refused = [](std::string const& what, std::function<void(ProcessClock&)> const& outside) {
         Pair pair = sound_pair();

@@ -559,7 +559,7 @@ TEST_CASE("What cannot be found is said clearly", "[estimate]") {
                           "estimator.least_weight=0.99"};
         CommandResult const result = workspace.estimate(words);
         require_done(result);
-        CHECK_THAT(result.out, Contains("Not found: the best weight is"));
+        CHECK_THAT(result.out, Contains("Weak: the best weight is"));
         CHECK(workspace.json("out/estimate.json")["verdict"] == "weak");
     }
     SECTION("an object outside the image, for which there is no box") {

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 std::string sentence_on(EstimateReport const& report) {
     switch (report.verdict) {
         case Verdict::weak:
-            return fmt::format("Not found: the best weight is {:.4f}, below estimator.least_weight.", report.weight);
+            return fmt::format("Weak: the best weight is {:.4f}, below estimator.least_weight.", report.weight);
         case Verdict::no_readings:
             return "Not found: the depth image has no readings in the box.";
         case Verdict::found:
@@ -38,7 +38,7 @@ std::optional<double> adds_mm(IterationRow const& row) {
 }
 
 std::string text_row(IterationRow const& row) {
-    return fmt::format("  {:>9} {:>11.4f} {:>11.4f} {:>9.1f} {:>8.2f} {:>7.2f} {:>9} {:>10} {:>9}\n", row.number,
+    return fmt::format("  {:>9} {:>11.4f} {:>11.4f} {:>9.1f} {:>11.2f} {:>12.2f} {:>9} {:>10} {:>9}\n", row.number,
                        row.best_weight, row.mean_weight, row.effective_samples, row.spread_mm, row.spread_deg,
                        cell(add_mm(row), "{:.2f}"), cell(adds_mm(row), "{:.2f}"), cell(row.iteration_ms, "{:.3f}"));
 }
@@ -137,8 +137,8 @@ std::optional<Estimate> EstimateReport::total_mj() const {
 std::string estimate_text(EstimateReport const& report) {
     std::string text = fmt::format("Pose of {}: {} iterations of {} samples, scored by {}\n\n", report.object,
                                    report.iterations.size(), report.samples, report.scorer);
-    text += fmt::format("  {:>9} {:>11} {:>11} {:>9} {:>8} {:>7} {:>9} {:>10} {:>9}\n", "iteration", "best weight",
-                        "mean weight", "effective", "[mm]", "[deg]", "ADD [mm]", "ADD-S [mm]", "ms");
+    text += fmt::format("  {:>9} {:>11} {:>11} {:>9} {:>11} {:>12} {:>9} {:>10} {:>9}\n", "iteration", "best weight",
+                        "mean weight", "effective", "spread [mm]", "spread [deg]", "ADD [mm]", "ADD-S [mm]", "ms");
     for (std::size_t i = 0; i < report.iterations.size(); ++i)
         if (is_printed(i, report.iterations.size()))
             text += text_row(report.iterations[i]);

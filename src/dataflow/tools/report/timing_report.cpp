@@ -18,6 +18,14 @@ Json path_json(std::string const& module, UnitPath const& path) {
             {"high_ns", stage.high}, {"typical_mhz", 1e3 / stage.typical}};
 }
 
+/// A net of the netlist that has no name is "-" there.
+std::string ends_text(UnitPath const& path) {
+    auto const end = [](char const* word, std::string const& name) {
+        return name == "-" ? "" : fmt::format(" {} {}", word, name);
+    };
+    return end("from", path.from) + end("to", path.to);
+}
+
 }  // namespace
 
 Json timing_json(Machine const& machine) {
@@ -41,10 +49,10 @@ std::string timing_text(Machine const& machine) {
             continue;
         Estimate const stage = module.slowest->of_stage();
         text += fmt::format(
-            "  At {:g} MHz {} would not close: {:.1f} ns from {} to {} ({:.1f} to {:.1f}), {:.0f} MHz; "
+            "  At {:g} MHz {} would not close: {:.1f} ns{} ({:.1f} to {:.1f}), {:.0f} MHz; "
             "estimated.\n",
-            machine.clock_mhz, module.sum.name, stage.typical, module.slowest->from, module.slowest->to, stage.low,
-            stage.high, 1e3 / stage.typical);
+            machine.clock_mhz, module.sum.name, stage.typical, ends_text(*module.slowest), stage.low, stage.high,
+            1e3 / stage.typical);
     }
     return text;
 }

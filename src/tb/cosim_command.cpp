@@ -33,7 +33,7 @@ struct CosimRequest {
     std::vector<std::string> twin_overrides;  ///< of the twin alone, to see a difference found
     std::string out = ".";                    ///< folder for the waveforms of a difference
     std::int64_t core = -1;                   ///< -1: all
-    bool forwards = true;                     ///< see TwinSettings
+    bool no_forwarding = false;               ///< see TwinSettings
     bool force = false;                       ///< however long it takes
 };
 
@@ -64,7 +64,7 @@ rtl::TwinSettings settings_of(CosimRequest const& request) {
     require_near_windows(stimulus, request.trace);
     rtl::TwinSettings settings =
         rtl::twin_settings(accelerator_of(loaded.config), machine_of(loaded.config), stimulus.width, stimulus.height);
-    settings.forwards = request.forwards;
+    settings.forwards = !request.no_forwarding;
     return settings;
 }
 
@@ -167,11 +167,11 @@ Subcommand cosim_command() {
                          ->type_name("KEY=VALUE"));
             command.add_option("--core", request->core, "Compare this core only")
                 ->type_name("N")
-                ->check(CLI::Range(0, 1000000));
+                ->check(integer_in(0, 1000000));
             command.add_option("--out", request->out, "Folder for the waveforms of a difference")
                 ->type_name("DIR")
                 ->capture_default_str();
-            command.add_flag("!--no-forwarding", request->forwards,
+            command.add_flag("--no-forwarding", request->no_forwarding,
                              "The twin reads stale words of its memories, as hardware does without forwarding");
             add_force(command, request->force);
             return [request] { return cosim(*request); };

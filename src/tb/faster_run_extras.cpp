@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/commands/options.hpp"
 #include "faster/data/sample_counters.hpp"
 #include "faster/dataflow_names.hpp"
 #include "tb/faster_workload.hpp"
@@ -18,7 +19,7 @@ void FasterRunExtras::declare(CLI::App& command) {
             "--images", images_,
             "Write pictures of the first K samples to DIR/images and into the HTML report (needs --out or --report)")
         ->type_name("K")
-        ->check(CLI::Range(0, 1000000));
+        ->check(integer_in(0, 1000000));
 }
 
 std::vector<std::string> FasterRunExtras::overrides() const {

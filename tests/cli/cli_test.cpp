@@ -461,7 +461,8 @@ TEST_CASE("Wrong usage is refused in one line") {
                    "sweep, schedule, edge-quality, grip, estimate, evaluate, experiment, keys"});
     check_refused(workspace, {"run"}, {"config"});
     check_refused(workspace, {"record", "config.yaml"}, {"--out"});
-    check_refused(workspace, {"run", "config.yaml", "--speed", "9"}, {"--speed"});
+    check_refused(workspace, {"run", "config.yaml", "--speed", "9"},
+                  {"--speed: unknown option (see faster-sim run --help)"});
     check_refused(workspace, {"run", "config.yaml", "--images", "2"}, {"--images", "--out"});
     check_refused(workspace, {"run", "config.yaml", "--images", "two", "--out", "out"}, {"--images"});
     for (char const* const option : {"--trace", "--out", "--events", "--vcd", "--report"})  // as of "$UNSET"
@@ -475,6 +476,46 @@ TEST_CASE("Wrong usage is refused in one line") {
     check_refused(workspace, {"sweep", "merge", "a", "--out", ""},
                   {"--out: is empty, expected DIR (see faster-sim sweep merge --help)"});
     check_refused(workspace, {"sweep", "merge", "", "--out", "b"}, {"folders: is empty"});
+    check_refused(workspace, {"sweep", "merge"}, {"folders is required (see faster-sim sweep merge --help)"});
+    check_refused(workspace, {"run", "config.yaml", "-j", "0"},
+                  {"--jobs: expected an integer from 1 to 1024, found 0 (see faster-sim run --help)"});
+}
+
+TEST_CASE("An unknown option is refused by its name, with the one it may have been meant to be") {
+    Workspace const workspace;
+    check_refused(workspace, {"run", "config.yaml", "--ot", "out/x"},
+                  {"faster-sim: --ot: unknown option, did you mean --out? (see faster-sim run --help)"});
+    check_refused(workspace, {"run", "config.yaml", "--ot=out/x"}, {"faster-sim: --ot: unknown option, did you"});
+    check_refused(workspace, {"run", "--ot"}, {"--ot: unknown option, did you mean --out?"});
+    check_refused(workspace, {"run", "config.yaml", "--sensitivity"}, {"did you mean --sensitivities?"});
+    check_refused(workspace, {"run", "config.yaml", "--report-sample", "1"}, {"did you mean --report-samples?"});
+    check_refused(workspace, {"run", "config.yaml", "--crit"}, {"did you mean --critical-path?"});
+    check_refused(workspace, {"run", "config.yaml", "-x"}, {"-x: unknown option (see faster-sim run --help)"});
+    check_refused(workspace, {"sweep", "merge", "a", "--out", "b", "--shard", "1/2"},
+                  {"--shard: unknown option (see faster-sim sweep merge --help)"});
+    for (std::string const option : {"--versoin", "-v"})
+        check_refused(workspace, {option},
+                      {option + ": unknown option, did you mean --version? (see faster-sim --help)"});
+    check_refused(workspace, {"--versoin", "run"}, {"--versoin: unknown option, did you mean --version?"});
+    check_refused(workspace, {"run", "--", "config.yaml", "-x"}, {"not expected"});
+}
+
+TEST_CASE("Completion of bash offers commands, options and keys") {
+    auto const offered = [](std::string const& words) {
+        std::string const script = "source " + std::string(FASTER_SOURCE_DIR) +
+                                   "/scripts/completion.bash\nCOMP_WORDS=(" FASTER_SIM_BINARY " " + words +
+                                   ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_faster_sim 2>/dev/null\n"
+                                   "printf '%s\\n' \"${COMPREPLY[@]}\"";
+        return lines_of(run_command("/bin/bash", {"-c", script}, "/").out);
+    };
+    CHECK(offered("ru") == Words{"run"});
+    CHECK(offered("help ru") == Words{"run"});
+    CHECK(offered("--") == Words{"--help", "--version"});
+    CHECK(offered("sweep merg") == Words{"merge"});
+    CHECK(offered("sweep merge --") == Words{"--help", "--out"});
+    CHECK(offered("run config.yaml --report") == Words{"--report", "--report-samples"});
+    for (std::string const option : {"--set", "--twin-set"})
+        CHECK(offered("cosim trace " + option + " accelerator.clock_m") == Words{"accelerator.clock_mhz="});
 }
 
 TEST_CASE("A negative number of pictures is refused in one line") {

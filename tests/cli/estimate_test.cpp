@@ -603,7 +603,8 @@ TEST_CASE("estimate refuses what it cannot use in one line, and writes nothing",
     refuses({"--set", "estimator.weights.accelerator.edge=0.1000001"},
             {"estimator.weights.accelerator.edge", "box, in_box, raw, edge", "add up to 1, not to 1.0000001"});
     refuses({"--set", "estimator.weights.grip.planar=0.5"}, {"estimator.weights.grip.planar", "edge, planar"});
-    refuses({"--backend", "gripp"}, {"estimator.backend", "grip"});
+    refuses({"--backend", "gripp"}, {"--backend: expected one of accelerator, grip, found gripp, did you mean grip?"});
+    refuses({"--bop", "nowhere", "--object", "can"}, {"--object: expected an integer, found can"});
     refuses({"--set", "estimator.iterations=0"}, {"estimator.iterations"});
     refuses({"--set", "estimator.iteration=5"}, {"estimator.iterations"});
     refuses({"-j", "0"}, {"--jobs"});

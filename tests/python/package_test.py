@@ -211,7 +211,7 @@ class PackageTest(unittest.TestCase):
         self.assertIn("Bound by", run.text)
         with self.assertRaisesRegex(KeyError, "critical_path=True"):
             self.events.whatif().critical_path
-        with self.assertRaisesRegex(faster_sim.InputError, r"--bananas \(see faster-sim run --help\)"):
+        with self.assertRaisesRegex(faster_sim.InputError, r"--bananas: unknown option \(see faster-sim run --help\)"):
             faster_sim.run(CONFIG, bananas=True)
 
     def test_commands_answer(self) -> None:

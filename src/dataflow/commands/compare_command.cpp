@@ -52,7 +52,7 @@ Subcommand compare_command() {
             command.add_option("--top", request->top, "Rows of each list; the others are counted")
                 ->type_name("N")
                 ->capture_default_str()
-                ->check(CLI::Range(0, 1000000));
+                ->check(integer_in(0, 1000000));
             command.add_option("--json", request->json, "Write the whole comparison to this file")->type_name("FILE");
             return [request] { return compare(*request); };
         }};

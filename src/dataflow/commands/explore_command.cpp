@@ -135,7 +135,7 @@ Subcommand explore_command() {
                 command.add_option("--port", request->port, "Port of 127.0.0.1; 0: any that is free")
                     ->type_name("PORT")
                     ->capture_default_str()
-                    ->check(CLI::Range(0, 65535));
+                    ->check(integer_in(0, 65535));
                 add_force(command, request->force);
                 add_overrides(command, request->overrides);
                 return [request] { return explore_run(*request); };

@@ -1,9 +1,12 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
 #include <string>
 #include <vector>
+
+#include "dataflow/base/nearest_name.hpp"
 
 namespace dataflow {
 
@@ -19,7 +22,7 @@ inline CLI::Validator number_in(double least, double most) {
     return CLI::Validator(check, fmt::format("NUMBER in [{} - {}]", least, most));
 }
 
-/// Of integers that CLI::Range, whose numbers are doubles or ints, cannot tell apart.
+/// Large ones, too: the numbers of CLI::Range are doubles or ints.
 inline CLI::Validator integer_in(std::uint64_t least, std::uint64_t most) {
     auto const check = [least, most](std::string const& text) {
         std::uint64_t number = 0;
@@ -29,15 +32,25 @@ inline CLI::Validator integer_in(std::uint64_t least, std::uint64_t most) {
     return CLI::Validator(check, fmt::format("INT in [{} - {}]", least, most));
 }
 
+/// As CLI::IsMember, with an answer like that on a key of the configuration.
+inline CLI::Validator one_of(std::vector<std::string> const& names) {
+    auto const check = [names](std::string const& text) {
+        bool const is_sound = std::find(names.begin(), names.end(), text) != names.end();
+        return is_sound ? std::string{}
+                        : fmt::format("expected one of {}, found {}{}", fmt::join(names, ", "), text,
+                                      did_you_mean(text, names));
+    };
+    return CLI::Validator(check, fmt::format("{{{}}}", fmt::join(names, ",")));
+}
+
 /// Given again for each further value, which its help says.
 inline void repeats(CLI::Option& option) { option.expected(1)->take_all()->allow_extra_args(false); }
 
 inline void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
-    repeats(
-        *command
-             .add_option("--set", overrides,
-                         "Override a key of the configuration, e.g. accelerator.fifos.NAME.depth=16; may be repeated")
-             ->type_name("KEY=VALUE"));
+    repeats(*command
+                 .add_option("--set", overrides,
+                             "Override a key of the configuration, e.g. accelerator.clock_mhz=250; may be repeated")
+                 ->type_name("KEY=VALUE"));
 }
 
 /// Of work whose size is announced beforehand. `more`: what else it allows.
@@ -46,7 +59,7 @@ inline void add_force(CLI::App& command, bool& force, std::string const& more = 
 }
 
 template <class Number> void add_jobs(CLI::App& command, Number& jobs, std::string const& what) {
-    command.add_option("-j,--jobs", jobs, what + " (the host's cores)")->type_name("N")->check(CLI::Range(1, 1024));
+    command.add_option("-j,--jobs", jobs, what + " (the host's cores)")->type_name("N")->check(integer_in(1, 1024));
 }
 
 }  // namespace dataflow

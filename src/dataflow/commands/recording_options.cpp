@@ -11,6 +11,7 @@
 #include "dataflow/base/core_share.hpp"
 #include "dataflow/base/files/output_file.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/commands/options.hpp"
 #include "dataflow/commands/progress_line.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/tools/recording/fst_file.hpp"
@@ -258,7 +259,7 @@ void add_recording_options(CLI::App& command, RecordingRequest& request) {
     command.add_option("--timeline-samples", request.timeline_samples, "Samples of each core in the timeline")
         ->type_name("N")
         ->capture_default_str()
-        ->check(CLI::Range(1, 1000000))
+        ->check(integer_in(1, 1000000))
         ->group(waveforms)
         ->needs("--timeline");
 }

@@ -294,10 +294,9 @@ Subcommand run_command(MakeRunExtras const& make_extras) {
             add_force(command, request->force, ", or writes a waveform of more than 2 GB");
             command.add_flag("--hazards", request->hazards,
                              "Look for iterations that read a word before one shortly before them has written it");
-            add_jobs(
-                command, request->jobs,
-                "Host cores to use: each for some cores of a design that lets them, where only figures are asked for; "
-                "with --events or --hazards a second one works cycles out; otherwise one");
+            add_jobs(command, request->jobs,
+                     "Host cores to use at most: several only where the design's cores share no memory and nothing but "
+                     "figures is asked for, two with --events or --hazards, otherwise one");
             extras->declare(command);
             add_overrides(command, request->overrides);
             add_recording_options(command, request->recording);

@@ -128,7 +128,7 @@ Subcommand size_fifos_command() {
                                 "Bounds at which cost is weighed against cycles; 0: none")
                     ->type_name("N")
                     ->capture_default_str()
-                    ->check(CLI::Range(0U, sizing::most_front_points));
+                    ->check(integer_in(0, sizing::most_front_points));
                 add_jobs(command, request->jobs, "Threads");
                 add_overrides(command, request->overrides);
                 add_force(command, request->force);

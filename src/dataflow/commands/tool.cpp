@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
 #include <new>
 #include <string_view>
 #include <vector>
@@ -80,7 +81,7 @@ class Tool {
         } catch (CLI::ParseError const& error) {
             int const code = error.get_exit_code();
             if (code != 0)
-                throw InputError(fmt::format("{} (see {} --help)", text_of(error), name_with_command(app)));
+                refuse(app, error);
             app.exit(error);  // --help, --version
             return [] { return exit_done; };
         }
@@ -102,18 +103,57 @@ class Tool {
             refuse_values_of_flags(*inner);
     }
 
-    /// As the parser says it, but for a flag that is given a value.
-    static std::string text_of(CLI::ParseError const& error) {
-        std::string text = error.what();
-        std::size_t const end = text.find(" was given a disallowed flag override");
-        if (end == std::string::npos)
-            return text;
-        return (end == 1 ? "-" : "--") + text.substr(0, end) + ": has a value, expected it without one";
+    /// An unknown option comes before whatever the parser complains of, which may be due to it: the value behind it has
+    /// been taken for another word. The help named is that of the innermost command at fault, as of `sweep merge`.
+    [[noreturn]] void refuse(CLI::App const& app, CLI::ParseError const& error) const {
+        CLI::App const* command = &app;
+        std::string name = text_.name;
+        std::string text = unknown_option(app);
+        while (text.empty() && !command->get_subcommands().empty()) {
+            command = command->get_subcommands().front();
+            name += " " + command->get_name();
+            text = unknown_option(*command);
+        }
+        throw InputError(fmt::format("{} (see {} --help)", text.empty() ? text_of(error) : text, name));
     }
 
-    std::string name_with_command(CLI::App const& app) const {
-        std::vector<CLI::App*> const chosen = app.get_subcommands();
-        return chosen.empty() ? text_.name : text_.name + " " + chosen.front()->get_name();
+    /// What is wrong with the first word that looks like an option and is none of the command's; empty if none does.
+    static std::string unknown_option(CLI::App const& command) {
+        std::vector<std::string> const words = command.remaining();
+        auto const found = std::find_if(words.begin(), words.end(),
+                                        [](std::string const& word) { return word.size() > 1 && word.front() == '-'; });
+        if (found == words.end() || *found == "--")  // no options behind that
+            return {};
+        std::string const given = found->substr(0, found->find('='));
+        std::vector<std::string> known;
+        for (CLI::Option const* const option : command.get_options())
+            for (std::string const& name : option->get_lnames())
+                known.push_back("--" + name);
+        return given + ": unknown option" + did_you_mean_option(given, known);
+    }
+
+    /// A word cut short, as -v or --crit, stands for the one option that begins so.
+    static std::string did_you_mean_option(std::string const& given, std::vector<std::string> const& known) {
+        std::string const start = given.size() == 2 ? "-" + given : given;
+        std::vector<std::string> begun;
+        std::copy_if(known.begin(), known.end(), std::back_inserter(begun),
+                     [&start](std::string const& option) { return option.compare(0, start.size(), start) == 0; });
+        return begun.size() == 1 ? ", did you mean " + begun.front() + "?" : did_you_mean(given, known);
+    }
+
+    /// As the parser says it, but for a flag that is given a value, and for a value that is no integer: other
+    /// numbers are checked by number_in() before.
+    static std::string text_of(CLI::ParseError const& error) {
+        std::string const text = error.what();
+        std::size_t const end = text.find(" was given a disallowed flag override");
+        if (end != std::string::npos)
+            return (end == 1 ? "-" : "--") + text.substr(0, end) + ": has a value, expected it without one";
+        std::string const no_integer = "Could not convert: ";
+        std::size_t const equals = text.find(" = ");
+        if (text.compare(0, no_integer.size(), no_integer) != 0 || equals == std::string::npos)
+            return text;
+        return fmt::format("{}: expected an integer, found {}",
+                           text.substr(no_integer.size(), equals - no_integer.size()), text.substr(equals + 3));
     }
 
     /// The parser would only say that some subcommand is missing.

@@ -199,7 +199,7 @@ Subcommand whatif_command() {
                     .add_option("--top", request->top, "Rows of each list of the comparison; the others are counted")
                     ->type_name("N")
                     ->capture_default_str()
-                    ->check(CLI::Range(0, 1000000));
+                    ->check(integer_in(0, 1000000));
                 command
                     .add_flag("--critical-path", request->critical_path,
                               "Trace along which operations the total comes about, for --out and --full")

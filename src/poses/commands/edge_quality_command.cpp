@@ -123,7 +123,7 @@ Subcommand edge_quality_command() {
                 command.add_option("--poses", request->poses, "Poses per class")
                     ->type_name("N")
                     ->capture_default_str()
-                    ->check(CLI::Range(1, 100000));
+                    ->check(integer_in(1, 100000));
                 command.add_option("--seed", request->seed, "Seed of the poses")
                     ->type_name("N")
                     ->capture_default_str()

@@ -139,11 +139,12 @@ Subcommand estimate_command() {
             command
                 .add_option("--models-in", request->bop.models_in,
                             "Unit of the dataset's meshes, m or mm (mm, of frames m)")
-                ->check(CLI::IsMember({"m", "mm"}))
+                ->check(one_of({"m", "mm"}))
                 ->type_name("UNIT")
                 ->needs("--bop");
             add_jobs(command, request->jobs, "Threads, and simulations at once");
-            command.add_option("--backend", request->backend, "accelerator or grip, for estimator.backend")
+            command.add_option("--backend", request->backend, "Who scores, for estimator.backend")
+                ->check(one_of({"accelerator", "grip"}))
                 ->type_name("NAME");
             command.add_flag("--untimed", request->untimed, "Without the accelerator's cycles");
             command.add_option("--pictures", request->pictures, "Draw these iterations, e.g. 0,5,49 (a choice)")

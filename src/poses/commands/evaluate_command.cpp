@@ -206,7 +206,7 @@ Subcommand evaluate_command() {
                                          "dataset; may be repeated")
                              ->type_name("DIR"));
                 command.add_option("--models-in", request->models_in, "Unit of the meshes, m or mm (mm, of frames m)")
-                    ->check(CLI::IsMember({"m", "mm"}))
+                    ->check(one_of({"m", "mm"}))
                     ->type_name("UNIT");
                 command.add_option("--split", request->split, "Folder of the dataset's scenes; by default test")
                     ->type_name("NAME");
@@ -227,7 +227,7 @@ Subcommand evaluate_command() {
                     ->capture_default_str();
                 command.add_option("--bootstraps", request->replicates, "How often to draw the images anew")
                     ->type_name("N")
-                    ->check(CLI::Range(0, 1000000))
+                    ->check(integer_in(0, 1000000))
                     ->capture_default_str();
                 add_jobs(command, request->jobs, "Threads");
                 add_force(command, request->force);

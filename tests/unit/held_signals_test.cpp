@@ -13,6 +13,7 @@
 
 #include "dataflow/base/on_threads.hpp"
 #include "dataflow/base/signal_watch.hpp"
+#include "dataflow/tools/recording/fst_file.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/temp_folder.hpp"
 
@@ -116,6 +117,23 @@ TEST_CASE("A signal is held back in whatever thread, and lets what is half-writt
     process.send(SIGTERM);
     CHECK(process.ended_by(std::chrono::seconds(5)) == SIGTERM);
     CHECK_FALSE(fs::exists(folder / "half"));
+}
+
+TEST_CASE("An FST that takes long is given up at once, and leaves nothing", "[signals]") {
+    TempFolder const folder;
+    Process process([&](fs::path const& begun) {
+        try {
+            dataflow::recording::FstFile file(folder / "w.fst", 100);
+            file.declare({"a", 1, {}});
+            say(begun);
+            for (std::uint64_t ticks = 0;; ++ticks)
+                file.go_to(ticks);
+        } catch (Interrupted const&) {
+        }
+    });
+    process.send(SIGTERM);
+    CHECK(process.ended_by(std::chrono::seconds(5)) == SIGTERM);
+    CHECK(fs::is_empty(folder.path()));
 }
 
 TEST_CASE("A second signal ends at once who does not look at the first", "[signals]") {

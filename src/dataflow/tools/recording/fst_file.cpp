@@ -5,6 +5,7 @@
 #include <fstapi.h>
 
 #include "dataflow/base/files/output_file.hpp"
+#include "dataflow/base/held_signals.hpp"
 
 namespace dataflow::recording {
 
@@ -82,8 +83,14 @@ template <class Write> void FstFile::watched(Write const& write) {
         lost_by_ = errno;
 }
 
+/// The writer writes what has gathered where time goes on, so that it is here that one can give up.
 void FstFile::go_to(std::uint64_t ticks) {
+    processes::give_up_if_interrupted();
     watched([&] { fstWriterEmitTimeChange(writer_.get(), ticks); });
+    if (lost_by_ != 0) {
+        errno = lost_by_;
+        target_.fail();
+    }
     last_ticks_ = ticks;
 }
 

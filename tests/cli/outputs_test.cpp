@@ -126,6 +126,23 @@ TEST_CASE("All outputs of a run may lie in its folder, and appear with it") {
     CHECK(workspace.small().files_in("new") == 1);
 }
 
+TEST_CASE("A page of an older run leaves its folder, unless this run writes it") {
+    Workspace const workspace;
+    Words const plain{"run", "config.yaml", "--out", "o"};
+    Words with_page = plain;
+    with_page.insert(with_page.end(), {"--report", "o/report.html"});
+    fs::path const page = workspace.folder() / "o" / "report.html";
+    require_done(workspace.tool(with_page));
+    fs::permissions(page, fs::perms(0600));
+    require_done(workspace.tool(with_page));
+    CHECK(fs::status(page).permissions() == fs::perms(0600));
+    require_done(workspace.tool(plain));
+    CHECK_FALSE(fs::exists(page));
+    workspace.folder().write("o/report.html", "mine");
+    require_done(workspace.tool(plain));
+    CHECK(workspace.small().text("o/report.html") == "mine");
+}
+
 TEST_CASE("Every output makes the folders that are missing") {
     Workspace const workspace;
     require_done(workspace.tool({"run", "config.yaml", "--events", "a/a/e", "--vcd", "a/b/w.vcd", "--timeline",

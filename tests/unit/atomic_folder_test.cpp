@@ -320,6 +320,23 @@ TEST_CASE("A marker may be YAML, a table, or laid out in another way", "[atomic_
     CHECK_FALSE(is_kind("m.csv", "a,b,", ""));
 }
 
+TEST_CASE("A page of ours goes with the results that it tells of, a page of somebody else stays", "[atomic_folder]") {
+    FolderKind const with_page{"result", "summary.json", {"images"}, "", "report.html", {"format: ours"}};
+    auto const is_page = [&](std::string const& name, std::string const& content) {
+        TempFolder const folder;
+        write_result(folder / "out", "old");
+        folder.write("out/" + name, content);
+        AtomicFolder output(folder / "out", with_page);
+        write_file(output.path() / "summary.json", "new");
+        output.commit();
+        return !fs::exists(folder / "out" / name);
+    };
+    CHECK(is_page("report.html", "<p>format: ours</p>"));
+    CHECK_FALSE(is_page("report.html", "<p>format: another</p>"));
+    CHECK_FALSE(is_page("report.html", ""));
+    CHECK_FALSE(is_page("mine.html", "<p>format: ours</p>"));
+}
+
 TEST_CASE("What people keep beside pictures of ours survives, and the pictures do not", "[atomic_folder]") {
     TempFolder const folder;
     write_marked(folder / "out");

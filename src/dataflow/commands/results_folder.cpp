@@ -9,6 +9,8 @@
 
 namespace dataflow {
 
+namespace fs = std::filesystem;
+
 io::FolderKind const& ResultsFolder::kind() {
     static io::FolderKind const results_folder = [] {
         std::vector<std::string> others{"samples.csv",
@@ -20,12 +22,24 @@ io::FolderKind const& ResultsFolder::kind() {
                                         "images/contact_sheet.png"};
         if (std::string const table = design().workload_table(); !table.empty())
             others.push_back(table);
-        return io::FolderKind{"run's results", "summary.json", others, "faster-summary"};
+        std::string const begin = R"(id="data">{"format":")";
+        return io::FolderKind{"run's results",  "summary.json", others,
+                              "faster-summary", "report.html",  {begin + "faster-report", begin + "faster-deadlock"}};
     }();
     return results_folder;
 }
 
-ResultsFolder::ResultsFolder(std::filesystem::path const& folder) : folder_(folder, kind()) {}
+/// The page that the run itself writes takes the place of the older one later, and keeps its rights.
+io::FolderKind ResultsFolder::kind_beside(fs::path const& folder, fs::path const& report) {
+    io::FolderKind folder_kind = kind();
+    std::error_code ignored;
+    if (!report.empty() && fs::equivalent(folder / folder_kind.page, report, ignored))
+        folder_kind.page.clear();
+    return folder_kind;
+}
+
+ResultsFolder::ResultsFolder(fs::path const& folder, fs::path const& report)
+    : folder_(folder, kind_beside(folder, report)) {}
 
 void ResultsFolder::write(RunConfig const& config, RunStatistics const& run, report::HostTime const& host,
                           std::string const& workload_table,

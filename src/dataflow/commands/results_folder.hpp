@@ -12,8 +12,9 @@ namespace dataflow {
 /// The output folder of `run --out` and `whatif --out` (docs/formats.md#output-of-a-run).
 class ResultsFolder {
   public:
-    /// Throws InputError if it cannot be written: before the work whose results would be lost.
-    explicit ResultsFolder(std::filesystem::path const& folder);
+    /// Throws InputError if it cannot be written: before the work whose results would be lost. `report`: the page that
+    /// the run writes besides; empty: none.
+    explicit ResultsFolder(std::filesystem::path const& folder, std::filesystem::path const& report = {});
     static io::FolderKind const& kind();
 
     /// Where to write a file that is to be at `file` when all is written, see AtomicFolder.
@@ -28,6 +29,8 @@ class ResultsFolder {
     void write_deadlock(RunConfig const& config, RunStatistics const& run);
 
   private:
+    static io::FolderKind kind_beside(std::filesystem::path const& folder, std::filesystem::path const& report);
+
     io::AtomicFolder folder_;
 };
 

@@ -134,7 +134,7 @@ std::vector<Sensitivity> work_out_sensitivities(replay::RecordedRun const& recor
 /// Before the work whose results would be lost.
 struct Outputs {
     explicit Outputs(RunRequest const& request)
-        : folder(request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out)),
+        : folder(request.out.empty() ? nullptr : std::make_unique<ResultsFolder>(request.out, request.report)),
           report(io::optional_output_file(request.report)),
           events(io::optional_output_file(request.events)) {}
 

@@ -60,7 +60,7 @@ std::vector<fs::path> foreign_things(fs::path const& folder, FolderKind const& k
     std::vector<fs::path> foreign;
     for (auto const& entry : fs::directory_iterator(folder / below)) {
         fs::path const path = below / entry.path().filename();
-        if (kind.owns(path))
+        if (kind.owns(path) || kind.has_page(folder, path))
             continue;
         bool const may_hold_both = kind.has(path.begin()->string()) && fs::is_directory(entry.symlink_status());
         if (!may_hold_both) {

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "dataflow/base/files/json_file.hpp"
+#include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/input_error.hpp"
 
@@ -39,6 +40,18 @@ bool FolderKind::owns(fs::path const& path) const {
     return path == marker || std::any_of(others.begin(), others.end(), [&](std::string const& other) {
                return fnmatch(other.c_str(), path.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
            });
+}
+
+bool FolderKind::has_page(fs::path const& folder, fs::path const& path) const {
+    if (page.empty() || path != page || !fs::is_regular_file(fs::symlink_status(folder / path)))
+        return false;
+    try {
+        std::string const text = read_file(folder / path);
+        return std::any_of(page_texts.begin(), page_texts.end(),
+                           [&](std::string const& own) { return text.find(own) != std::string::npos; });
+    } catch (InputError const&) {  // nobody knows whose it is
+        return false;
+    }
 }
 
 bool FolderKind::is_kind_of(fs::path const& folder) const {

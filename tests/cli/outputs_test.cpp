@@ -143,6 +143,12 @@ TEST_CASE("A page of an older run leaves its folder, unless this run writes it")
     CHECK(workspace.small().text("o/report.html") == "mine");
 }
 
+TEST_CASE("A waveform has no name of the other format") {
+    Workspace const workspace;
+    workspace.check_refused({"run", "config.yaml", "--vcd", "w.fst"}, {"--vcd", "w.fst, expected", "--fst"});
+    workspace.check_refused({"run", "config.yaml", "--fst", "w.vcd"}, {"--fst", "w.vcd, expected", "--vcd"});
+}
+
 TEST_CASE("Every output makes the folders that are missing") {
     Workspace const workspace;
     require_done(workspace.tool({"run", "config.yaml", "--events", "a/a/e", "--vcd", "a/b/w.vcd", "--timeline",

@@ -230,12 +230,26 @@ std::vector<double> write_waveform_files(RecordingRequest const& request, Machin
     return bytes;
 }
 
+namespace {
+/// Who opens a waveform goes by the ending of its name. `other`: the option that writes files with that one.
+std::function<std::string(std::string const&)> no_file_of(char const* ending, char const* other) {
+    return [ending, other](std::string const& file) {
+        bool const is_of_other = std::filesystem::path(file).extension() == ending;
+        return is_of_other ? fmt::format("{}, expected another ending than {}, which is for {}", file, ending, other)
+                           : std::string();
+    };
+}
+}  // namespace
+
 void add_recording_options(CLI::App& command, RecordingRequest& request) {
     std::string const waveforms = "Waveforms";
     auto const for_vcd = [&](CLI::Option* option, char const* type) { option->type_name(type)->group(waveforms); };
-    for_vcd(command.add_option("--vcd", request.vcd, "Write a value change dump, and a GTKWave save file beside it"),
+    for_vcd(command.add_option("--vcd", request.vcd, "Write a value change dump, and a GTKWave save file beside it")
+                ->check(no_file_of(".fst", "--fst")),
             "FILE");
-    for_vcd(command.add_option("--fst", request.fst, "Write the same as FST, as GTKWave and Surfer read it"), "FILE");
+    for_vcd(command.add_option("--fst", request.fst, "Write the same as FST, as GTKWave and Surfer read it")
+                ->check(no_file_of(".vcd", "--vcd")),
+            "FILE");
     for_vcd(command.add_option("--vcd-cores", request.vcd_cores, "Only these cores, e.g. 0,2-4"), "LIST");
     for_vcd(
         command

@@ -206,6 +206,12 @@ TEST_CASE("A folder without results is refused", "[runs]") {
     TempFolder const folder;
     CHECK_THAT(input_error_text([&] { (void)read_run(folder.path()); }), Contains("summary.json: no such file"));
     CHECK_THAT(input_error_text([&] { (void)read_run(folder / "gone"); }), Contains("gone: no such folder"));
+    folder.write("file", "");
+    CHECK_THAT(input_error_text([&] { (void)read_run(folder / "file"); }),
+               Contains("file: is a file, expected a folder: the output of "));
+    folder.write("summary.json", R"({"format": "faster-summary", "version": 1, "deadlock": {"cycle": 7}})");
+    CHECK_THAT(input_error_text([&] { (void)read_run(folder.path()); }),
+               Contains("summary.json: deadlock.cycle = 7, expected a run that ended"));
 }
 
 }  // namespace read_run_test

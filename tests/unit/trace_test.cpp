@@ -144,6 +144,8 @@ TEST_CASE("The files of a trace may have other names", "[trace]") {
 TEST_CASE("A trace that is not there is an input error", "[trace]") {
     CHECK(input_error_text([] { read_trace("/nowhere/t"); }) ==
           "/nowhere/t: no such folder, expected a stimulus trace");
+    CHECK(input_error_text([] { read_trace("/dev/null"); }) ==
+          "/dev/null: is a file, expected a folder: a stimulus trace");
     for (std::string const name : {"trace.yaml", "samples.csv", "triangles.csv", "depth.png", "edges.png"}) {
         Trace const trace;
         fs::remove(trace / name);

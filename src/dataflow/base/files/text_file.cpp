@@ -47,6 +47,14 @@ void require_file(std::filesystem::path const& path, std::string const& expected
         fail(path, "is a folder, expected " + (expected == "a readable file" ? "a file" : expected));
 }
 
+void require_folder(std::filesystem::path const& path, std::string const& expected) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        return;
+    bool const is_file = std::filesystem::exists(path, ignored);
+    fail(path, is_file ? "is a file, expected a folder: " + expected : "no such folder, expected " + expected);
+}
+
 std::string read_file(std::filesystem::path const& path, std::string const& expected, std::uint64_t most_bytes) {
     require_file(path, expected);
     std::error_code no_size;

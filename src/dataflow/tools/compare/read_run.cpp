@@ -16,6 +16,7 @@
 #include "dataflow/base/files/csv_integers.hpp"
 #include "dataflow/base/files/json_file.hpp"
 #include "dataflow/base/files/json_node.hpp"
+#include "dataflow/base/files/text_file.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/program_name.hpp"
 #include "dataflow/run/config/design.hpp"
@@ -306,6 +307,8 @@ RunRecord read_summary(JsonNode const& summary) {
         summary.at("format").fail(format);
     if (summary.at("version").value() != version)
         summary.at("version").fail(std::to_string(version));
+    if (auto const deadlock = summary.find("deadlock"))
+        deadlock->at("cycle").fail("a run that ended: this one got stuck there (deadlock) and has no total_cycles");
     RunRecord run;
     run.total_cycles = figure(summary.at("total_cycles"));
     run.milliseconds = summary.at("milliseconds").number();
@@ -324,9 +327,7 @@ RunRecord read_summary(JsonNode const& summary) {
 }  // namespace
 
 RunRecord read_run(std::filesystem::path const& folder) {
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(folder, ignored))
-        throw InputError(folder.string() + ": no such folder, expected the output of " + program_name() + " run --out");
+    io::require_folder(folder, "the output of " + program_name() + " run --out");
     std::filesystem::path const file = folder / "summary.json";
     Json const document = parse_summary(file);
     JsonNode const summary(file, document);

@@ -87,8 +87,7 @@ bool is_sweep_folder(fs::path const& folder) { return fs::exists(folder / manife
 
 Manifest read_manifest_of(fs::path const& folder) {
     fs::path const file = folder / manifest_file;
-    if (!fs::is_directory(folder))
-        throw InputError(folder.string() + ": no such folder, expected the output folder of a sweep");
+    io::require_folder(folder, "the output folder of a sweep");
     if (!fs::exists(file))
         throw InputError(folder.string() + ": has no " + manifest_file + ", expected the output folder of a sweep");
     return manifest_from_text(io::read_file(file), file.string());

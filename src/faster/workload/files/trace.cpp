@@ -171,10 +171,7 @@ void require_writable(Stimulus const& stimulus) {
 }  // namespace
 
 Stimulus read_trace(fs::path const& folder) {
-    std::error_code ignored;
-    if (!fs::is_directory(folder, ignored)) {
-        throw InputError(fmt::format("{}: no such folder, expected a stimulus trace", folder.string()));
-    }
+    require_folder(folder, "a stimulus trace");
     TraceManifest const manifest = read_manifest(folder / TraceManifest::file_name);
     Stimulus stimulus;
     stimulus.width = manifest.width;

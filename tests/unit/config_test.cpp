@@ -440,6 +440,18 @@ TEST_CASE("A missing file and a folder are errors", "[config][errors]") {
     CHECK(error_of([] { faster::load_config("sub"); }) == "sub: is a folder, expected a configuration file");
 }
 
+TEST_CASE("Another file of ours is told by name, with the command that reads it", "[config][errors]") {
+    CHECK_THAT(file_error("# a sweep\nformat: faster-sweep\nversion: 1\n"),
+               Catch::Matches("test\\.yaml:2: the file is a sweep file \\(.* sweep reads it\\), "
+                              "expected a configuration file"));
+    CHECK_THAT(file_error(R"({"format": "faster-summary", "version": 1})"), Catch::Contains(" compare reads it"));
+    CHECK(file_error("format: faster-trace\n") ==
+          "test.yaml:1: the file is of format faster-trace, expected a configuration file");
+    CHECK_THAT(file_error(std::string("FASTEREV\x05\0\0\0", 12)),
+               Catch::StartsWith("test.yaml: the file is an event file ("));
+    CHECK_THAT(file_error("format: 3\n"), Catch::Contains("format: unknown key"));
+}
+
 TEST_CASE("Several faults are one line: the first, and how many more", "[config][errors]") {
     CHECK(file_error("accelerator:\n  window: 0\n  raster_cores: 0\nworkload: 3\n") ==
           "test.yaml:2: accelerator.window = 0, expected an integer from 1 to 4096 (and 2 more)");

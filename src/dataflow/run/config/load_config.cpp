@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fstream>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 
 #include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/printable.hpp"
+#include "dataflow/base/program_name.hpp"
 #include "dataflow/base/utf8.hpp"
 #include "dataflow/run/config/config_sources.hpp"
 #include "dataflow/run/config/design.hpp"
@@ -115,11 +119,53 @@ std::vector<std::string> apply_all(std::vector<std::filesystem::path> const& fil
     return complaints;
 }
 
+/// Files that are no configuration, by the value of their key `format`, and the command that reads them.
+struct OtherFile {
+    std::string format, what, reader;
+};
+
+OtherFile other_file(std::string const& format) {
+    static std::vector<OtherFile> const files{{"faster-budget", "a budget file", "check"},
+                                              {"faster-sweep", "a sweep file", "sweep"},
+                                              {"faster-events", "an event file", "whatif"},
+                                              {"faster-summary", "a summary of a run", "compare"}};
+    for (OtherFile const& file : files)
+        if (file.format == format)
+            return file;
+    return {format, "of format " + shortened(format), ""};
+}
+
+std::string wrong_file_text(std::string const& place, std::string const& format) {
+    OtherFile const file = other_file(format);
+    std::string const reader = file.reader.empty() ? "" : fmt::format(" ({} {} reads it)", program_name(), file.reader);
+    return fmt::format("{}: the file is {}{}, expected a configuration file", place, file.what, reader);
+}
+
+/// Begins with the mark of such files (docs/formats.md#event-files). They are no text.
+bool is_event_file(std::filesystem::path const& path) {
+    constexpr std::string_view mark = "FASTEREV";
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored))
+        return false;
+    std::string begin(mark.size(), '\0');
+    std::ifstream(path, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    return begin == mark;
+}
+
+/// What says it is another file of ours, unless the design has such a key.
+bool is_other_file(YAML::Node const& format) {
+    return format && format.IsScalar() && format.Scalar().rfind("faster-", 0) == 0 && find_key("format") == nullptr;
+}
+
 }  // namespace
 
 std::vector<std::string> apply_file(std::filesystem::path const& path, LoadedConfig& loaded) {
-    return FileReader(path, KeySource::file, loaded)
-        .read(load_document(path, "a configuration file", names_in_section("")));
+    if (is_event_file(path))
+        return {wrong_file_text(path.string(), "faster-events")};
+    YAML::Node const root = load_document(path, "a configuration file", names_in_section(""));
+    if (YAML::Node const format = root.IsMap() ? root["format"] : YAML::Node(); is_other_file(format))
+        return {wrong_file_text(fmt::format("{}:{}", path.string(), format.Mark().line + 1), format.Scalar())};
+    return FileReader(path, KeySource::file, loaded).read(root);
 }
 
 std::vector<std::string> apply_preset(std::string const& name, LoadedConfig& loaded) {

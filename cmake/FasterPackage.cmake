@@ -1,6 +1,7 @@
 # `cmake --build --preset release --target package` makes a .deb: the tool with its man pages and the completion of bash,
 # configurations, the package for Python, and the kernel's headers and libraries. Called last: it packs what is installed.
-install(FILES README.md CHANGELOG.md NOTICE packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md CODE_OF_CONDUCT.md SECURITY.md NOTICE Containerfile action.yml packaging/copyright
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # What Debian's tools read; CHANGELOG.md says what changed.
 set(faster_contact "The faster-sim authors <maintainers@faster-sim.invalid>")
 string(TIMESTAMP faster_date "%a, %d %b %Y 00:00:00 +0000" UTC)
@@ -13,7 +14,15 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/changelog CONTENT
 ")
 install(CODE "execute_process(COMMAND gzip -9nc ${PROJECT_BINARY_DIR}/packaging/changelog OUTPUT_FILE ${PROJECT_BINARY_DIR}/packaging/changelog.gz COMMAND_ERROR_IS_FATAL ANY)")
 install(FILES ${PROJECT_BINARY_DIR}/packaging/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN changes EXCLUDE)
+# Pages link to what stands beside them in the sources, so it stands beside them here as well. Configurations and traces,
+# which the tool's users need without the pages, are where FasterInstall.cmake puts them.
+install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN .gitignore EXCLUDE)
+install(FILES rtl/resources.csv rtl/timing.csv DESTINATION ${CMAKE_INSTALL_DOCDIR}/rtl)
+file(RELATIVE_PATH faster_data_from_pages ${CMAKE_INSTALL_FULL_DOCDIR} ${CMAKE_INSTALL_FULL_DATADIR}/faster-sim)
+foreach(folder configs traces)
+  file(CREATE_LINK ${faster_data_from_pages}/${folder} ${PROJECT_BINARY_DIR}/packaging/${folder} SYMBOLIC)
+  install(FILES ${PROJECT_BINARY_DIR}/packaging/${folder} DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endforeach()
 install(FILES scripts/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME faster-sim)
 
 # The man pages are what --help says.

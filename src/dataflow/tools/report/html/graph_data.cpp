@@ -29,7 +29,7 @@ class DotGraph {
   public:
     explicit DotGraph(char const* direction) {
         text_ = fmt::format(
-            "digraph{{rankdir={};nodesep=0.25;ranksep=0.3;node[shape=box,fixedsize=true];edge[fontsize=11,"
+            "digraph{{rankdir={};nodesep=0.25;ranksep=0.3;node[shape=box,fixedsize=true];edge[fontsize=14,"
             "fontname=\"Courier\",arrowsize=0.7];\n",
             direction);
     }
@@ -42,11 +42,14 @@ class DotGraph {
         fmt::format_to(std::back_inserter(text_), "{}[width={:.2f},height={:.2f}];\n", id, width, height_inch);
         nodes_.push_back({id, kind + ":" + name});
     }
-    /// `label`: how many letters it takes.
+    /// `label`: how many letters it takes. dot's are larger: a line of them is as high as a gauge of the page, so that
+    /// FIFOs between the same two processes do not cover one another's.
     void add_edge(std::string const& from, std::string const& to, std::string const& name, std::size_t label,
                   char const* more = "") {
+        constexpr std::size_t letter = 11, letter_of_dot = 14;
+        std::size_t const letters_of_dot = (label * letter + letter_of_dot - 1) / letter_of_dot;
         fmt::format_to(std::back_inserter(text_), "{}->{}[id=e{},label=\"{}\"{}];\n", from, to, edges_.size(),
-                       std::string(label, 'x'), more);
+                       std::string(letters_of_dot, 'x'), more);
         edges_.push_back({fmt::format("e{}", edges_.size()), name});
     }
     std::string text() const { return text_ + "}\n"; }

@@ -24,7 +24,7 @@ function fit_texts(svg) {
   }
 }
 
-const least_scale = 0.86; // of text that can be read
+const least_scale = 0.8; // of text that can be read
 const graph_margin = 4;
 
 /// What the graph shows besides its parts: `modules` with their cycles, `fifos` summed over cores, `lane_cycles` of each

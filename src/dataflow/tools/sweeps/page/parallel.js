@@ -3,6 +3,8 @@
 const axis_distance = 130; // px, at least
 const parallel_height = 380;
 const margin = { top: 56, bottom: 40, side: 80 };
+const most_words = 24; // along an axis: a line of text each
+const many_words = 12; // from here on, no room is left above a word for its lines
 
 function key_axes() {
   return data.columns
@@ -32,6 +34,14 @@ function with_extent(axis) {
   return { ...axis, low: Math.min(...values), high: Math.max(...values), range: null };
 }
 
+function has_words(axis) {
+  return axis.is_key && !axis.scale.numeric && axis.scale.words.length <= most_words;
+}
+
+function has_many_words(axis) {
+  return has_words(axis) && axis.scale.words.length > many_words;
+}
+
 class ParallelCoordinates {
   constructor(is_marked, changed) {
     this.is_marked = is_marked;
@@ -41,6 +51,7 @@ class ParallelCoordinates {
       leave_out("parallel");
       return;
     }
+    this.left = has_many_words(this.axes[0]) ? margin.side + 50 : margin.side;
     this.canvas = element("canvas", { role: "img", "aria-label": "A line for each point across the axes of keys and figures; the table below has the same" });
     by_id("parallel-box").append(this.canvas);
     by_id("parallel-legend").append(legend([["accent", "on the Pareto front"], ["idle_after", "others"], ["port_conflict", "deadlock, without figures"]]));
@@ -60,7 +71,7 @@ class ParallelCoordinates {
   }
 
   x_of(i) {
-    return margin.side + (this.axes.length < 2 ? 0 : (i * (this.width - 2 * margin.side)) / (this.axes.length - 1));
+    return this.left + (this.axes.length < 2 ? 0 : (i * (this.width - this.left - margin.side)) / (this.axes.length - 1));
   }
   y_of(axis, value) {
     const share = axis.high > axis.low ? (value - axis.low) / (axis.high - axis.low) : 0.5;
@@ -73,7 +84,7 @@ class ParallelCoordinates {
 
   draw() {
     if (!this.canvas) return;
-    this.width = Math.max(by_id("parallel-box").clientWidth, 2 * margin.side + axis_distance * (this.axes.length - 1));
+    this.width = Math.max(by_id("parallel-box").clientWidth, this.left + margin.side + axis_distance * (this.axes.length - 1));
     const ratio = devicePixelRatio || 1;
     this.canvas.width = this.width * ratio;
     this.canvas.height = parallel_height * ratio;
@@ -126,13 +137,26 @@ class ParallelCoordinates {
     const half = Math.ceil(words.length / 2);
     [words.slice(0, half).join(""), words.slice(half).join("")].forEach((text, i) => pen.fillText(text, x, 16 + 15 * i, 150));
     pen.fillStyle = colour("quiet");
-    for (const value of this.ticks(axis)) pen.fillText(axis.text(value), x, this.y_of(axis, value) + (value === axis.low ? 16 : -6), 120);
+    for (const value of this.ticks(axis)) {
+      const y = this.y_of(axis, value);
+      if (has_many_words(axis)) this.text_over_lines(axis.text(value), x - 5, y + 4, "right");
+      else this.text_over_lines(axis.text(value), x, y + (value === axis.low ? 16 : -6), "center");
+    }
   }
 
-  /// Every word; of numbers the ends.
+  /// With a rim of the ground's colour, as lines meet where it stands.
+  text_over_lines(text, x, y, align) {
+    this.pen.textAlign = align;
+    this.pen.strokeStyle = colour("card");
+    this.pen.lineWidth = 4;
+    this.pen.lineJoin = "round";
+    this.pen.strokeText(text, x, y, 120);
+    this.pen.fillText(text, x, y, 120);
+  }
+
+  /// Every word, as long as they have room; of numbers the ends.
   ticks(axis) {
-    const is_words = axis.is_key && !axis.scale.numeric;
-    return is_words && axis.scale.words.length <= 12 ? axis.scale.words.map((word, i) => i) : [...new Set([axis.low, axis.high])];
+    return has_words(axis) ? axis.scale.words.map((word, i) => i) : [...new Set([axis.low, axis.high])];
   }
 
   position(event) {

@@ -90,7 +90,7 @@ function stacked_bars(labels, series, x, tooltip) {
 }
 
 /// Of an axis with whole numbers: no tick between two of them, which would have the text of one of them.
-const whole_ticks = { precision: 0, maxRotation: 0, callback: (value) => whole(value) };
+const whole_ticks = { precision: 0, maxRotation: 0, autoSkipPadding: 24, callback: (value) => whole(value) };
 
 function axis_title(text) {
   return { display: true, text };

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <utility>
 
+#include "dataflow/base/program_name.hpp"
 #include "dataflow/tools/report/latencies.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/example_run.hpp"
@@ -184,6 +186,14 @@ TEST_CASE("A title that looks like a place in the template stays a title", "[htm
     std::string const page = html_report({"@data@ @title@", example_run(), {}, {}, {}});
     CHECK(count_of("<h1>@data@ @title@</h1>", page) == 1);
     CHECK(json_element(page, "data")["format"] == "faster-report");
+}
+
+TEST_CASE("A page is headed by its title and the name of the program that made it", "[html]") {
+    std::string const name = std::exchange(program_name(), "memory <1>");
+    std::string const page = example_page();
+    program_name() = name;
+    CHECK(count_of("<title>example.yaml - memory &lt;1&gt;</title>", page) == 1);
+    CHECK(count_of("<p class=\"tool\">memory &lt;1&gt;</p>\n  <h1>example.yaml</h1>", page) == 1);
 }
 
 TEST_CASE("Bytes that are no UTF-8 do not break the page", "[html]") {

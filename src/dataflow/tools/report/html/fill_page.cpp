@@ -2,6 +2,7 @@
 
 #include "dataflow/base/markup_text.hpp"
 #include "dataflow/base/printable.hpp"
+#include "dataflow/base/program_name.hpp"
 #include "dataflow/tools/report/html/html_text.hpp"
 
 namespace dataflow::report {
@@ -17,9 +18,13 @@ static std::string_view take_until(std::string_view& rest, std::string_view mark
 std::string filled_page(std::string_view page, std::string const& title, std::string const& made_by_html,
                         std::string const& data) {
     std::string const name = markup_escaped(printable(title));
+    std::string const program = markup_escaped(printable(program_name()));
     std::string html;
-    for (int use = 0; use < 2; ++use)  // in the browser's tab and in the headline
-        html.append(take_until(page, "@title@")).append(name);
+    // In the browser's tab, and in the headline below the program's name.
+    html.append(take_until(page, "@title@")).append(name);
+    html.append(take_until(page, "@program@")).append(program);
+    html.append(take_until(page, "@program@")).append(program);
+    html.append(take_until(page, "@title@")).append(name);
     html.append(take_until(page, "@made_by@")).append(made_by_html);
     html.append(take_until(page, "@data@")).append(script_safe(data));
     return html.append(page);

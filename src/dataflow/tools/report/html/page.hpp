@@ -1,8 +1,7 @@
 #pragma once
 namespace dataflow::report {
 
-/// The HTML report without its data: page/report.html with style and scripts in place. In the order in which they stand
-/// there, `@title@` (twice), `@made_by@` and `@data@` are to be replaced.
+/// The HTML report without its data: page/report.html with style and scripts in place; see filled_page().
 extern char const* const report_page;
 /// The page of a run that got stuck, without its data: page/deadlock.html.
 extern char const* const deadlock_page;

@@ -53,6 +53,10 @@ class Page {
         CHECK(browser_.troubles() == Json::array());
         CHECK(browser_.value("document.getElementById('trouble').textContent") == "");
         CHECK(browser_.value("document.documentElement.scrollWidth <= innerWidth") == true);
+        CHECK(browser_.value("[...document.querySelectorAll('#headline div, #actions button')].every((part) => "
+                             "part.offsetWidth > 0 && part.getBoundingClientRect().right <= innerWidth)") == true);
+        CHECK(browser_.value("innerWidth < 1366 || ((box) => box.scrollWidth <= box.clientWidth)"
+                             "(document.getElementById('graph-box'))") == true);
     }
     /// What a command of the tool with the exported options says.
     std::string cycles_of_tool(Words words) {

@@ -501,6 +501,15 @@ TEST_CASE("A loop that gets too short for a default write latency asks to set th
           }) == "(no error)");
 }
 
+TEST_CASE("A FIFO that the flow does not have asks no loop to be longer", "[config][errors]") {
+    CHECK(error_of([] {
+              loaded("",
+                     {"accelerator.flow=fpga_grip", "accelerator.loops.rasterizer.scan.depth=6",
+                      "accelerator.fifos.command.write_latency=5", "accelerator.fifos.fragment_depth.write_latency=5",
+                      "accelerator.fifos.fragment_index.write_latency=5"});
+          }) == "(no error)");
+}
+
 TEST_CASE("Every FIFO that a loop writes is checked against that loop", "[config][errors]") {
     std::map<std::string, LoopId> const written_by{{"vertex", LoopId::vertex},       {"command", LoopId::scan},
                                                    {"fragment_depth", LoopId::scan}, {"fragment_index", LoopId::scan},

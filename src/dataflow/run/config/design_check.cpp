@@ -239,15 +239,16 @@ class DesignCheck {
         return (accesses(one, fifo, true) && accesses(other, fifo, false)) ||
                (accesses(one, fifo, false) && accesses(other, fifo, true));
     }
-    static bool hold(Conditions const& conditions) {
-        return std::all_of(conditions.begin(), conditions.end(), [](Condition const& one) { return one.holds; });
-    }
 
     CoreDescription const& core_;
     Names memories_;
 };
 
 }  // namespace
+
+bool hold(Conditions const& conditions) {
+    return std::all_of(conditions.begin(), conditions.end(), [](Condition const& one) { return one.holds; });
+}
 
 void check_design(CoreDescription const& core) { DesignCheck(core).check(); }
 

@@ -3,6 +3,9 @@
 
 namespace dataflow {
 
+/// Whether all of them do: the part that has them is there.
+bool hold(Conditions const& conditions);
+
 /// What cannot be timed, or would be timed wrongly, whatever the configuration: names that are used twice, parts that
 /// are named and not there, an end of a FIFO that several modules have, defaults that no key could say. Errors:
 /// InputError.

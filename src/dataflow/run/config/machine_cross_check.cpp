@@ -43,15 +43,18 @@ bool is_accessed_by(LoopDescription const& loop, FifoEnd const& end) {
     return loop.name == end.loop || std::find(named.begin(), named.end(), end.fifo) != named.end();
 }
 
-/// Of a FIFO that several modules may write, or read, what the ones say that do.
+/// Of a FIFO that several modules may write, or read, what the ones say that do. Only loops that are there count.
 void check_stages(LoadedConfig const& loaded, CoreDescription const& core, MachineFifo const& fifo,
                   std::vector<std::string>& complaints) {
+    if (!fifo.is_present)
+        return;
     for (bool const writes : {true, false}) {
         ModuleDescription const& module = core.modules[writes ? fifo.writer : fifo.reader];
         std::string const stage_key = fifo_key_name(fifo.name, writes ? "write_latency" : "read_stage");
         for (FifoEnd const& end : module.ends)
             for (LoopDescription const& loop : module.loops)
-                if (end.writes == writes && end.fifo == fifo.name && !end.loop.empty() && is_accessed_by(loop, end))
+                if (end.writes == writes && end.fifo == fifo.name && !end.loop.empty() && hold(end.conditions) &&
+                    hold(loop.conditions) && is_accessed_by(loop, end))
                     check_stage(loaded, stage_key, stages_key_name(module, loop.name), complaints);
     }
 }

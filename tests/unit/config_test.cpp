@@ -260,6 +260,28 @@ TEST_CASE("A partition needs a type, words for its banks, and no more banks than
     CHECK(accelerator_of(config).memory(BramId::edge_map).partition.factor == 32);
 }
 
+TEST_CASE("Banks of a memory that is not square are bounded by its rows or its columns", "[config][errors]") {
+    auto const error = [](std::string const& memory, std::string const& dimension) {
+        return error_of([&] {
+            loaded(
+                "accelerator: {memory: {model: axi, mesh: on_chip, observation: on_chip, observation_width: 64,\n"
+                "  observation_height: 3}}\n",
+                {"accelerator.brams." + memory + ".partition.type=cyclic",
+                 "accelerator.brams." + memory + ".partition.dimension=" + dimension,
+                 "accelerator.brams." + memory + ".partition.factor=80"});
+        });
+    };
+    std::string const factor = ".partition.factor=80: expected at most ";
+    CHECK(error("observation", "1") ==
+          "--set accelerator.brams.observation" + factor +
+              "3, the rows of observation, with accelerator.brams.observation.partition.dimension = 1");
+    CHECK(error("observation", "2") ==
+          "--set accelerator.brams.observation" + factor +
+              "64, the columns of observation, with accelerator.brams.observation.partition.dimension = 2");
+    CHECK(error("mesh", "0") == "--set accelerator.brams.mesh" + factor +
+                                    "1, the rows of mesh, with accelerator.brams.mesh.partition.dimension = 0");
+}
+
 TEST_CASE("A trace's window bounds the banks as well", "[config][errors]") {
     LoadedConfig config = loaded("accelerator:\n  brams:\n    edge_map: {partition: {type: cyclic, factor: 32}}\n");
     CHECK(error_of([&] { faster::adopt_trace(config, 64, 64, 16, {}, 1); }) ==

@@ -45,7 +45,6 @@ void ObservationReader::add_stream(AcceleratorConfig const& config, ModuleDescri
         .holds("observed depths and edges of the image, if they are on the chip")
         .of_words(config.memory_placement.observation_height, config.memory_placement.observation_width,
                   wires::depth + 1)
-        .sized_by("accelerator.memory.observation_width")
         .shared_in_copies(config.memory_placement.observation_copies)
         .loaded_before()
         .only_if(has_external_memory(config))

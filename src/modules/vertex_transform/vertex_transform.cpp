@@ -23,7 +23,6 @@ ModuleDescription VertexTransform::describe(AcceleratorConfig const& config) {
     module.memory("mesh")
         .holds("vertices of the mesh, three per triangle, if it is on the chip")
         .of_words(1, 3 * config.memory_placement.mesh_triangles, 2 * wires::vertex_xy + wires::vertex_z)
-        .sized_by("accelerator.memory.mesh_triangles")
         .loaded_before()
         .only_if(has_external_memory(config))
         .only_if({config.memory_placement.mesh == Placement::on_chip, "accelerator.memory.mesh"});

@@ -151,7 +151,7 @@ struct MemoryDescription {
     std::uint64_t cols = 1;
     std::uint64_t bits = 1;     ///< of a word; 0: there is no such memory
     std::uint64_t buffers = 1;  ///< how often all of it is there
-    std::string size_key;       ///< configuration key that decides rows and cols; or empty
+    std::string size_key;       ///< configuration key that is both, rows and cols; or empty
     bool is_loaded = false;     ///< with data from outside, before an iteration begins; listed behind all others
     std::uint64_t copies = 0;   ///< of it, which all cores share; 0: each core has its own
     std::string reader;         ///< module that reads it out, if not the one that describes it

@@ -136,6 +136,17 @@ std::uint64_t most_parts(MemoryDescription const& memory, PartitionConfig const&
                                       : std::min(memory.rows, memory.cols);
 }
 
+/// As a message names most_parts().
+std::string most_parts_text(LoadedConfig const& loaded, MemoryDescription const& memory,
+                            PartitionConfig const& partition) {
+    if (!memory.size_key.empty())
+        return with_value(loaded, memory.size_key);
+    std::uint64_t const most = most_parts(memory, partition);
+    return fmt::format("{}, the {} of {}, with {}", most,
+                       most == memory.cols && partition.dimension != 1 ? "columns" : "rows", memory.name,
+                       with_value(loaded, bram_key_name(memory.name, "partition.dimension")));
+}
+
 /// Banks need words, and a factor a type.
 void check_partition(LoadedConfig const& loaded, MemoryDescription const& memory,
                      std::vector<std::string>& complaints) {
@@ -149,11 +160,8 @@ void check_partition(LoadedConfig const& loaded, MemoryDescription const& memory
         complaints.push_back(complaint(loaded, dimension_key, type_needed(loaded, memory.name, "0")));
     } else if (!is_split) {
         return;
-    } else if (std::uint64_t const most = most_parts(memory, partition); partition.factor > most) {
-        complaints.push_back(complaint(
-            loaded, factor_key,
-            fmt::format("at most {}", memory.size_key.empty() ? fmt::format("{}, the words of that dimension", most)
-                                                              : with_value(loaded, memory.size_key))));
+    } else if (partition.factor > most_parts(memory, partition)) {
+        complaints.push_back(complaint(loaded, factor_key, "at most " + most_parts_text(loaded, memory, partition)));
     } else if (BankPartition(partition, static_cast<std::int64_t>(memory.rows), static_cast<std::int64_t>(memory.cols))
                    .banks() > most_banks) {
         complaints.push_back(

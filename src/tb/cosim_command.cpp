@@ -13,6 +13,7 @@
 #include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/design.hpp"
 #include "dataflow/run/config/load_config.hpp"
+#include "faster/config/adopt_trace.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/workload_source.hpp"
@@ -41,9 +42,9 @@ LoadedConfig config_of(CosimRequest const& request, std::vector<std::string> con
     std::vector<std::filesystem::path> files;
     if (!request.config.empty())
         files.emplace_back(request.config);
-    std::vector<std::string> overrides{"workload.trace=" + request.trace};
-    overrides.insert(overrides.end(), request.overrides.begin(), request.overrides.end());
+    std::vector<std::string> overrides = request.overrides;
     overrides.insert(overrides.end(), more.begin(), more.end());
+    overrides.push_back(setting_of_trace(request.trace, overrides));
     return layered_config(files, overrides);
 }
 

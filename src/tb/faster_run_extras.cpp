@@ -5,6 +5,7 @@
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/commands/options.hpp"
+#include "faster/config/adopt_trace.hpp"
 #include "faster/data/sample_counters.hpp"
 #include "faster/dataflow_names.hpp"
 #include "tb/faster_workload.hpp"
@@ -22,8 +23,8 @@ void FasterRunExtras::declare(CLI::App& command) {
         ->check(integer_in(0, 1000000));
 }
 
-std::vector<std::string> FasterRunExtras::overrides() const {
-    return trace_.empty() ? std::vector<std::string>{} : std::vector<std::string>{"workload.trace=" + trace_};
+std::vector<std::string> FasterRunExtras::overrides(std::vector<std::string> const& given) const {
+    return trace_.empty() ? std::vector<std::string>{} : std::vector<std::string>{setting_of_trace(trace_, given)};
 }
 
 void FasterRunExtras::check(bool has_output) const {

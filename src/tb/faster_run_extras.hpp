@@ -13,7 +13,7 @@ namespace faster {
 class FasterRunExtras final : public RunExtras {
   public:
     void declare(CLI::App& command) override;
-    std::vector<std::string> overrides() const override;
+    std::vector<std::string> overrides(std::vector<std::string> const& given) const override;
     void check(bool has_output) const override;
     void before(Workload& workload) override;
     bool writes_pictures() const override { return images_ > 0; }

@@ -399,6 +399,9 @@ TEST_CASE("A bad trace is refused in one line") {
     SECTION("when an explicit key contradicts it") {
         check_refused(workspace, replay + set("accelerator.window=100"), {"accelerator.window=100", "expected 120"});
     }
+    SECTION("when --set names another one") {
+        check_refused(workspace, replay + set("workload.trace=other"), {"workload.trace=other", "the trace trace"});
+    }
     SECTION("when its triangles end too early") {
         Words const lines = lines_of(workspace.text("trace/triangles.csv"));
         std::string half;

@@ -718,6 +718,13 @@ TEST_CASE("What a trace replaces cannot be asked for beside it", "[config][trace
           "--set workload.samples.seed=2: expected none with workload.trace = \"t\", which replaces it");
 }
 
+TEST_CASE("The command line names one trace", "[config][trace][errors]") {
+    CHECK(faster::setting_of_trace("a", {"accelerator.window=64"}) == "workload.trace=a");
+    CHECK(faster::setting_of_trace("a/b", {"workload.trace=./a/c/../b"}) == "workload.trace=a/b");
+    CHECK(error_of([] { faster::setting_of_trace("a", {"workload.trace=b"}); }) ==
+          "--set workload.trace=b: expected none with the trace a, which replaces it");
+}
+
 TEST_CASE("A trace and an override that say the same agree", "[config][trace]") {
     LoadedConfig config = loaded("", {"accelerator.window=64", "workload.camera.width=320"});
     CHECK_NOTHROW(faster::adopt_trace(config, 320, 240, 64, {}, 1));

@@ -185,7 +185,7 @@ int give_up(RunRequest const& request, std::vector<std::string> const& overrides
 int run(RunRequest const& request, RunExtras& extras) {
     extras.check(!request.out.empty() || !request.report.empty());
     std::vector<std::string> overrides = request.overrides;
-    for (std::string const& setting : extras.overrides())
+    for (std::string const& setting : extras.overrides(request.overrides))
         overrides.push_back(setting);
     LoadedConfig loaded = load_config(request.config, overrides);
     require_distinct_paths(request, loaded.config);

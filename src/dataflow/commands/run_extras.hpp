@@ -20,8 +20,9 @@ class RunExtras {
   public:
     virtual ~RunExtras() = default;
     virtual void declare(CLI::App& /*command*/) {}
-    /// Settings that its options stand for, as KEY=VALUE.
-    virtual std::vector<std::string> overrides() const { return {}; }
+    /// Settings that its options stand for, as KEY=VALUE. `given`: those of --set. Errors: InputError if they
+    /// contradict.
+    virtual std::vector<std::string> overrides(std::vector<std::string> const& /*given*/) const { return {}; }
     /// `has_output`: there is a folder or a page to write to. Errors: InputError.
     virtual void check(bool /*has_output*/) const {}
     /// The workload is there, and nothing is elaborated yet.

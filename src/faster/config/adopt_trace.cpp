@@ -1,8 +1,11 @@
 #include "faster/config/adopt_trace.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 
+#include "dataflow/base/input_error.hpp"
+#include "dataflow/base/printable.hpp"
 #include "dataflow/run/config/config_sources.hpp"
 #include "dataflow/run/config/key_faults.hpp"
 #include "dataflow/run/config/keys.hpp"
@@ -67,6 +70,16 @@ void adopt_trace(LoadedConfig& loaded, int width, int height, int window, Fracti
     workload_of(of_trace).camera.width = width;
     workload_of(of_trace).camera.height = height;
     adopt(trace_keys, of_trace, "trace", loaded);
+}
+
+std::string setting_of_trace(std::string const& trace, std::vector<std::string> const& settings) {
+    std::string const key = "workload.trace=";
+    auto const normal = [](std::string const& path) { return std::filesystem::path(path).lexically_normal(); };
+    for (std::string const& setting : settings)
+        if (setting.rfind(key, 0) == 0 && normal(setting.substr(key.size())) != normal(trace))
+            throw InputError(fmt::format("--set {}: expected none with the trace {}, which replaces it",
+                                         shortened(setting), shortened(trace)));
+    return key + trace;
 }
 
 void adopt_poses(LoadedConfig& loaded, std::size_t count) {

@@ -128,6 +128,10 @@ int cosim(CosimRequest const& request) {
     if (request.core >= 0 && static_cast<std::uint64_t>(request.core) >= config.cores)
         throw InputError(fmt::format("--core {}: expected 0 to {}", request.core, config.cores - 1));
     std::size_t const samples = stimulus.samples.size();
+    if (samples == 0) {
+        say("{}: no samples, nothing was compared\n", request.trace);
+        return exit_done;
+    }
     announce(
         size_of_comparison(
             stimulus,

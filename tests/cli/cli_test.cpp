@@ -231,6 +231,24 @@ TEST_CASE("A run writes exactly its six files with their headers and rows in ord
                    3) == per_core({"vertex_transform,vertex", "observation_reader,read"}));
 }
 
+TEST_CASE("Without samples a run writes the columns of its counters, and cosim says that it compares nothing") {
+    Workspace const workspace;
+    require_done(workspace.record(small + set("workload.samples.count=0") + Words{"--out", "trace"}));
+    for (bool const counted : {false, true}) {
+        Words const hidden = set(std::string("accelerator.inlier_unit.hidden=") + (counted ? "counted" : "ignored"));
+        require_done(workspace(replay + hidden));
+        CHECK(workspace.text("out/samples.csv") ==
+              std::string("sample,core,start_cycle,end_cycle,latency_cycles,valid_raster,valid_depth,inlier,valid_edge,"
+                          "edge_inlier") +
+                  (counted ? ",hidden,visible_top,visible_left,visible_bottom,visible_right\n" : "\n"));
+    }
+    CommandResult const cosim = workspace({"cosim", "trace"});
+    if (!Contains("expected a program built with Verilator").match(cosim.err)) {
+        require_done(cosim);
+        CHECK(cosim.out == "trace: no samples, nothing was compared\n");
+    }
+}
+
 TEST_CASE("A recorded trace replays to the tables of the direct run on both engines") {
     Workspace const workspace;
     record_small_trace(workspace);

@@ -46,7 +46,7 @@ void ResultsFolder::write(RunConfig const& config, RunStatistics const& run, rep
                           std::function<void(std::filesystem::path const&)> const& write_pictures) {
     std::vector<ResolvedKey> const keys = resolved_keys(config);
     io::write_file(folder_.path() / "summary.json", report::summary_json(keys, run, host, report::made_by_json(keys)));
-    io::write_file(folder_.path() / "samples.csv", report::samples_csv(run));
+    io::write_file(folder_.path() / "samples.csv", report::samples_csv(run, config));
     io::write_file(folder_.path() / "fifos.csv", report::fifos_csv(run));
     io::write_file(folder_.path() / "loops.csv", report::loops_csv(run));
     io::write_file(folder_.path() / "all_loops.csv", report::all_loops_csv(run));

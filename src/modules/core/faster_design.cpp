@@ -103,7 +103,11 @@ std::vector<ColumnFacts> const& FasterDesign::counters() const {
     return all;
 }
 
-std::size_t FasterDesign::counters_of_all() const { return counters_of(false); }
+std::size_t FasterDesign::counters_of_all() const { return faster::counters_of(false); }
+
+std::size_t FasterDesign::counters_of(RunConfig const& config) const {
+    return faster::counters_of(counts_hidden(accelerator_of(config).inlier_unit));
+}
 
 bool FasterDesign::leaves_out_of_loops_csv(std::string const& loop) const {
     return loop == "vertex_transform.vertex" || loop == "observation_reader.read";

@@ -20,6 +20,7 @@ class FasterDesign final : public Design {
     std::vector<std::filesystem::path> files_of(std::filesystem::path const& folder) const override;
     std::vector<ColumnFacts> const& counters() const override;
     std::size_t counters_of_all() const override;
+    std::size_t counters_of(RunConfig const& config) const override;
     std::string workload_table() const override { return "poses.csv"; }
     bool leaves_out_of_loops_csv(std::string const& loop) const override;
     std::string main_counter() const override { return "inlier"; }

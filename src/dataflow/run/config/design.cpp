@@ -27,6 +27,7 @@ std::vector<Preset> const& Design::presets() const {
 }
 
 std::size_t Design::counters_of_all() const { return counters().size(); }
+std::size_t Design::counters_of(RunConfig const& /*config*/) const { return counters().size(); }
 
 bool Design::leaves_out_of_loops_csv(std::string const& /*loop*/) const { return false; }
 

@@ -51,6 +51,8 @@ class Design {
     virtual std::vector<ColumnFacts> const& counters() const = 0;
     /// How many of them, the first ones, are there in every configuration; the others all or not. All.
     virtual std::size_t counters_of_all() const;
+    /// How many of them, the first ones, a configuration has. All.
+    virtual std::size_t counters_of(RunConfig const& config) const;
     /// A loop, as MODULE.LOOP, that stands in all_loops.csv only. None.
     virtual bool leaves_out_of_loops_csv(std::string const& loop) const;
     /// The one that says most: new budgets guard it. Empty if there are none.

@@ -29,10 +29,10 @@ std::string loop_lines(RunStatistics const& run, bool is_in_csv) {
 
 }  // namespace
 
-std::string samples_csv(RunStatistics const& run) {
+std::string samples_csv(RunStatistics const& run, RunConfig const& config) {
     std::vector<std::string> header = csv_header(sample_columns);
     std::vector<ColumnFacts> const& counters = design().counters();
-    std::size_t const count = run.samples.empty() ? design().counters_of_all() : run.samples.front().counters.size();
+    std::size_t const count = run.samples.empty() ? design().counters_of(config) : run.samples.front().counters.size();
     for (std::size_t i = 0; i < count; ++i)
         header.emplace_back(counters[i].name);
     std::string text = line(header);

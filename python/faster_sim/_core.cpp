@@ -221,7 +221,7 @@ PYBIND11_MODULE(_core, module) {
         .def_property_readonly("milliseconds", &Retimed::milliseconds)
         .def_property_readonly("deadlock_report", &Retimed::deadlock_report)
         .def_property_readonly("summary", &Retimed::summary)
-        .def_property_readonly("samples", [](Retimed const& r) { return report::samples_csv(r.run); })
+        .def_property_readonly("samples", [](Retimed const& r) { return report::samples_csv(r.run, r.loaded.config); })
         .def_property_readonly("fifos", [](Retimed const& r) { return report::fifos_csv(r.run); })
         .def_property_readonly("loops", [](Retimed const& r) { return report::loops_csv(r.run); });
     py::class_<Events>(module, "Events")

@@ -582,11 +582,6 @@ TEST_CASE("A key of a part that the flow does not have is refused, unless it say
           "--set accelerator.edge_extraction.threshold=0.02: expected a key of the parts that accelerator.flow = "
           "\"faster\" (default) has");
     CHECK(set_error("accelerator.edge_extraction.threshold=0.01") == "(no error)");
-    CHECK(
-        set_error("accelerator.edge_map.threshold_w1=3") ==
-        "--set accelerator.edge_map.threshold_w1=3: expected a key of the parts that accelerator.edge_map.algorithm = "
-        "\"dual_map\" (default) has");
-    CHECK(error_of([] { loaded("accelerator: {edge_map: {algorithm: threshold, threshold_w1: 3}}"); }) == "(no error)");
     std::vector<std::string> const settings{"accelerator.flow=fpga_grip",
                                             "accelerator.edge_extraction.neighbourhood=7"};
     RunConfig const config = loaded("", settings).config;

@@ -53,12 +53,9 @@ std::vector<std::string> FasterDesign::complaints(LoadedConfig const& loaded) co
 
 IdleKeys FasterDesign::idle_keys(RunConfig const& config) const {
     constexpr char const* flow = "accelerator.flow";
-    AcceleratorConfig const& accelerator = accelerator_of(config);
     IdleKeys idle;
-    if (accelerator.flow == Flow::faster) {
+    if (accelerator_of(config).flow == Flow::faster) {
         idle.add("accelerator.edge_extraction.", flow);
-        if (accelerator.edge_map.algorithm != EdgeMapAlgorithm::threshold)
-            idle.add("accelerator.edge_map.threshold_w", "accelerator.edge_map.algorithm");
     } else {
         idle.add("accelerator.edge_map.", flow);
         idle.add("accelerator.inlier_unit.neighbour_access", flow);

@@ -99,10 +99,7 @@ void DataflowAccelerator::start() {
         throw InputError(std::string("SystemC: ") + report.get_msg_type() + ": " + report.get_msg() +
                          ", expected a design that it can run");
     } catch (...) {
-        std::rethrow_exception(as_mistake([](char const* what) {
-            return std::string("a module has thrown ") + (what != nullptr ? what : "what is no std::exception") +
-                   " outside of work(), expected it to return";
-        }));
+        std::rethrow_exception(thrown_by("a module, outside of work(),", "it to return"));
     }
 }
 

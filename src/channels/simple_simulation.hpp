@@ -114,10 +114,7 @@ template <class Core> class SimpleSimulation final : public SimpleDesign, public
         try {
             return call();
         } catch (...) {
-            std::rethrow_exception(as_mistake([which](char const* what) {
-                return which + std::string(" has thrown ") + (what != nullptr ? what : "what is no std::exception") +
-                       ", expected it to return";
-            }));
+            std::rethrow_exception(thrown_by(which, "it to return"));
         }
     }
 

@@ -246,7 +246,7 @@ Counters HlsCore::results_of_design() const {
     try {
         return design_->results();
     } catch (...) {
-        std::rethrow_exception(untimed::thrown_by("results() of the design", "its counters"));
+        std::rethrow_exception(thrown_by("results() of the design", "its counters"));
     }
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "dataflow/base/as_mistake.hpp"
 #include "dataflow/commands/simple_tool.hpp"
 #include "hls/untimed_network.hpp"
 
@@ -80,8 +81,7 @@ template <class Design> std::unique_ptr<HlsDesign> make_hls_design(Numbers const
         design->complete();
         return design;
     } catch (...) {
-        std::rethrow_exception(
-            untimed::thrown_by("the constructor of design " + Design::facts().name, "one that returns"));
+        std::rethrow_exception(thrown_by("the constructor of design " + Design::facts().name, "one that returns"));
     }
 }
 

@@ -31,14 +31,6 @@ void refuse_stranger(StreamBase const& stream) {
                      "members of the class that derives HlsDesign");
 }
 
-std::exception_ptr thrown_by(std::string const& who, std::string const& expected) {
-    return as_mistake([&](char const* what) {
-        return who + " has thrown" +
-               (what != nullptr ? ": " + std::string(what) : " something that is no std::exception") + ", expected " +
-               expected;
-    });
-}
-
 std::exception_ptr thrown_by_process(std::string const& name) {
     return thrown_by("process " + name, "a function that returns");
 }

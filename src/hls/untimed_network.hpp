@@ -20,10 +20,7 @@ namespace dataflow::untimed {
 inline constexpr char const* expected_defaults =
     " with the defaults of the design's numbers, expected defaults that make it use all of its loops and streams";
 
-/// What the user's code has thrown, as the InputError that names where. In the handler of it.
-///   who       e.g. "process load"
-///   expected  instead
-std::exception_ptr thrown_by(std::string const& who, std::string const& expected);
+/// What the function of a process has thrown, as the InputError that names it. In the handler of it.
 std::exception_ptr thrown_by_process(std::string const& name);
 
 /// A function of a design, with its arguments.

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "chance/elaborated.hpp"
 #include "channels/clocked_fifo.hpp"
 #include "channels/sample_module.hpp"
 #include "channels/simple_simulation.hpp"
@@ -265,13 +266,6 @@ SimpleSimulation<ChanceCore> const& simulation() {
     return one;
 }
 
-RunConfig config_of(Design const& design, faster::Engine engine) {
-    RunConfig config;
-    config.simulation.engine = engine;
-    config.machine() = settings_of(design);
-    return config;
-}
-
 /// Written and read back.
 Figures figures_from_file(LoadedConfig const& loaded, replay::RecordedRun const& recorded, RunStatistics const& run) {
     auto const file =
@@ -330,53 +324,27 @@ Outcome run_here(Design const& design, Design const& other, faster::Engine engin
     Outcome outcome;
     try {
         design_at_hand() = design;
-        LoadedConfig loaded;
-        loaded.config = config_of(design, engine);
-        loaded.config.as<SimpleConfig>().numbers.of("workload.samples") = design.samples;
-        auto const workload = simulation().load_workload(loaded);
-        auto const machine = std::make_shared<Machine const>(machine_of(loaded.config));
-        auto const accelerator = simulation().elaborate(loaded.config, machine, *workload);
+        Elaborated const made(simulation(), design, engine);
         replay::RecordedRun recorded;
         SimulationOptions options;
         options.recorded = records ? &recorded : nullptr;
         options.jobs = 1 + design.samples % 3;  // how a run is shared between host cores makes no difference
         options.figures_alone = design.samples % 4 < 2;
-        RunStatistics const run = simulate(*accelerator, options);
+        RunStatistics const run = simulate(*made.accelerator, options);
         outcome.run = figures_of(run);
         if (std::string const left = leftover_tokens(run); !run.deadlocked() && !left.empty())
             throw std::logic_error("tokens are left: " + left);
         if (records && !run.deadlocked()) {
-            outcome.as_is = figures_of(retime_ready(recorded, *machine));
-            outcome.from_file = figures_from_file(loaded, recorded, run);
+            outcome.as_is = figures_of(retime_ready(recorded, *made.machine));
+            outcome.from_file = figures_from_file(made.loaded, recorded, run);
             retime_as(other, recorded, outcome);
             if (sizes)
-                outcome.sized = size(design, recorded, loaded.config);
+                outcome.sized = size(design, recorded, made.loaded.config);
         }
     } catch (std::exception const& error) {
         outcome.error = error.what();
     }
     return outcome;
-}
-
-void put(ValueWriter& writer, Figures const& figures) {
-    writer.put(figures.is_stuck, figures.total_cycles);
-    for (std::vector<std::string> const* const lines : {&figures.lines, &figures.hand_overs}) {
-        writer.put(lines->size());
-        for (std::string const& line : *lines)
-            writer.put(line);
-    }
-}
-
-Figures get(ValueReader& reader) {
-    Figures figures;
-    reader.get(figures.is_stuck);
-    reader.get(figures.total_cycles);
-    for (std::vector<std::string>* const lines : {&figures.lines, &figures.hand_overs}) {
-        lines->resize(reader.get_size());
-        for (std::string& line : *lines)
-            reader.get(line);
-    }
-    return figures;
 }
 
 std::string bytes_of(Outcome const& outcome) {
@@ -403,7 +371,7 @@ Outcome run_forked(Design const& design, Design const& other, faster::Engine eng
         reader.get(outcome.error);
         reader.get(outcome.refusal);
         for (Figures* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
-            *figures = get(reader);
+            *figures = figures_from(reader);
         bool is_sized = false;
         reader.get(is_sized);
         if (is_sized) {
@@ -411,7 +379,7 @@ Outcome run_forked(Design const& design, Design const& other, faster::Engine eng
             reader.get(outcome.sized->depths);
             reader.get(outcome.sized->kinds);
             reader.get(outcome.sized->bound);
-            outcome.sized->figures = get(reader);
+            outcome.sized->figures = figures_from(reader);
         }
     } catch (std::runtime_error const& error) {
         outcome.error = error.what();

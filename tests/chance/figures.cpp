@@ -62,6 +62,27 @@ std::string wait_line(std::size_t core, std::string const& process, std::string 
                        to_write ? "read" : "write", fifo, occupancy, since);
 }
 
+void put(ValueWriter& writer, Figures const& figures) {
+    writer.put(figures.is_stuck, figures.total_cycles);
+    for (std::vector<std::string> const* const lines : {&figures.lines, &figures.hand_overs}) {
+        writer.put(lines->size());
+        for (std::string const& line : *lines)
+            writer.put(line);
+    }
+}
+
+Figures figures_from(ValueReader& reader) {
+    Figures figures;
+    reader.get(figures.is_stuck);
+    reader.get(figures.total_cycles);
+    for (std::vector<std::string>* const lines : {&figures.lines, &figures.hand_overs}) {
+        lines->resize(reader.get_size());
+        for (std::string& line : *lines)
+            reader.get(line);
+    }
+    return figures;
+}
+
 Figures figures_of(RunStatistics const& run) {
     Figures figures;
     figures.is_stuck = run.deadlocked();

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "dataflow/base/byte_stream.hpp"
 #include "dataflow/run/figures/run_statistics.hpp"
 #include "faster/dataflow_names.hpp"
 
@@ -21,6 +22,10 @@ struct Figures {
     /// In the order of names, as designs list their FIFOs in another one than machines.
     void add_in_order(std::vector<std::string> fifos);
 };
+
+/// To and from another process. Not the outcomes.
+void put(ValueWriter& writer, Figures const& figures);
+Figures figures_from(ValueReader& reader);
 
 /// Of a run that got stuck: when, who waits for whom, and what FIFOs have done until then. Otherwise totals, samples
 /// and tables.

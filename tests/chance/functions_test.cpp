@@ -11,6 +11,7 @@
 #include "chance/chance_design.hpp"
 #include "chance/chance_functions.hpp"
 #include "chance/chance_twin.hpp"
+#include "chance/elaborated.hpp"
 #include "chance/figures.hpp"
 #include "channels/simulate.hpp"
 #include "dataflow/base/byte_stream.hpp"
@@ -90,20 +91,14 @@ using Outcome = std::vector<Figures>;
 
 Outcome run_here(Design const& design, Design const& other, Engine engine) {
     design_at_hand() = design;
-    LoadedConfig loaded;
-    loaded.config.simulation.engine = engine;
-    loaded.config.machine() = settings_of(design);
-    loaded.config.as<SimpleConfig>().numbers.of("workload.samples") = design.samples;
-    auto const workload = simulation().load_workload(loaded);
-    auto const machine = std::make_shared<Machine const>(machine_of(loaded.config));
-    auto const accelerator = simulation().elaborate(loaded.config, machine, *workload);
+    Elaborated const made(simulation(), design, engine);
     replay::RecordedRun recorded;
     SimulationOptions options;
     options.recorded = &recorded;
-    Outcome outcome{figures_of(simulate(*accelerator, options))};
+    Outcome outcome{figures_of(simulate(*made.accelerator, options))};
     if (!outcome.front().is_stuck) {
-        outcome.push_back(figures_of(replay::retime(recorded, *machine)));
-        RunConfig config = loaded.config;
+        outcome.push_back(figures_of(replay::retime(recorded, *made.machine)));
+        RunConfig config = made.loaded.config;
         config.machine() = settings_of(other);
         outcome.push_back(figures_of(replay::retime(recorded, machine_of(config))));
     }
@@ -113,24 +108,16 @@ Outcome run_here(Design const& design, Design const& other, Engine engine) {
 std::string bytes_of(Outcome const& outcome) {
     ValueWriter writer;
     writer.put(outcome.size());
-    for (Figures const& figures : outcome) {
-        writer.put(figures.is_stuck);
-        writer.put(figures.lines.size());
-        for (std::string const& line : figures.lines)
-            writer.put(line);
-    }
+    for (Figures const& figures : outcome)
+        put(writer, figures);
     return writer.bytes();
 }
 
 Outcome run_forked(Design const& design, Design const& other, Engine engine) {
     ValueReader reader(testing::forked_bytes([&] { return bytes_of(run_here(design, other, engine)); }));
     Outcome outcome(reader.get_size());
-    for (Figures& figures : outcome) {
-        reader.get(figures.is_stuck);
-        figures.lines.resize(reader.get_size());
-        for (std::string& line : figures.lines)
-            reader.get(line);
-    }
+    for (Figures& figures : outcome)
+        figures = figures_from(reader);
     return outcome;
 }
 

@@ -24,4 +24,15 @@ template <class Say> std::exception_ptr as_mistake(Say const& say) {
     return std::current_exception();
 }
 
+/// The mistake that the exception at hand is, in the words that all of them have.
+///   who       has thrown it, e.g. "describe() of the design"
+///   expected  instead
+inline std::exception_ptr thrown_by(std::string const& who, std::string const& expected) {
+    return as_mistake([&](char const* what) {
+        return who + " has thrown" +
+               (what != nullptr ? ": " + std::string(what) : " something that is no std::exception") + ", expected " +
+               expected;
+    });
+}
+
 }  // namespace dataflow

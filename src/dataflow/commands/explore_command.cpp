@@ -21,8 +21,8 @@
 #include "dataflow/commands/standard_commands.hpp"
 #include "dataflow/commands/work_size.hpp"
 #include "dataflow/run/config/design.hpp"
+#include "dataflow/run/config/load_config.hpp"
 #include "dataflow/run/events/event_file.hpp"
-#include "dataflow/run/events/event_file_format.hpp"
 #include "dataflow/tools/explore/answers.hpp"
 #include "dataflow/tools/explore/exploration.hpp"
 #include "dataflow/tools/report/text_report.hpp"
@@ -43,12 +43,6 @@ struct Recorded {
     LoadedConfig loaded;
     replay::RecordedRun run;
 };
-
-bool is_event_file(std::string const& path) {
-    std::string mark(events::opening_mark.size(), '\0');
-    std::ifstream file(path, std::ios::binary);
-    return file.read(mark.data(), static_cast<std::streamsize>(mark.size())) && mark == events::opening_mark;
-}
 
 Recorded read_recorded(ExploreRequest const& request) {
     if (!request.overrides.empty())

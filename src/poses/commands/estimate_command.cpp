@@ -12,6 +12,7 @@
 #include "dataflow/commands/recording_options.hpp"
 #include "dataflow/commands/say.hpp"
 #include "dataflow/commands/work_size.hpp"
+#include "dataflow/run/config/choice_names.hpp"
 #include "dataflow/run/config/load_config.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
@@ -144,7 +145,7 @@ Subcommand estimate_command() {
                 ->needs("--bop");
             add_jobs(command, request->jobs, "Threads, and simulations at once");
             command.add_option("--backend", request->backend, "Who scores, for estimator.backend")
-                ->check(one_of({"accelerator", "grip"}))
+                ->check(one_of(names_of_choices<EstimatorBackend>()))
                 ->type_name("NAME");
             command.add_flag("--untimed", request->untimed, "Without the accelerator's cycles");
             command.add_option("--pictures", request->pictures, "Draw these iterations, e.g. 0,5,49 (a choice)")

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 
 #include "dataflow/base/files/yaml_document.hpp"
@@ -141,23 +140,21 @@ std::string wrong_file_text(std::string const& place, std::string const& format)
     return fmt::format("{}: the file is {}{}, expected a configuration file", place, file.what, reader);
 }
 
-/// Begins with the mark of such files (docs/formats.md#event-files). They are no text.
-bool is_event_file(std::filesystem::path const& path) {
-    constexpr std::string_view mark = "FASTEREV";
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored))
-        return false;
-    std::string begin(mark.size(), '\0');
-    std::ifstream(path, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
-    return begin == mark;
-}
-
 /// What says it is another file of ours, unless the design has such a key.
 bool is_other_file(YAML::Node const& format) {
     return format && format.IsScalar() && format.Scalar().rfind("faster-", 0) == 0 && find_key("format") == nullptr;
 }
 
 }  // namespace
+
+bool is_event_file(std::filesystem::path const& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored))
+        return false;
+    std::string begin(event_file_mark.size(), '\0');
+    std::ifstream(path, std::ios::binary).read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    return begin == event_file_mark;
+}
 
 std::vector<std::string> apply_file(std::filesystem::path const& path, LoadedConfig& loaded) {
     if (is_event_file(path))

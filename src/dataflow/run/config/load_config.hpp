@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,11 @@ struct LoadedConfig {
     RunConfig config;
     KeyOrigins origins;
 };
+
+/// What event files begin with (docs/formats.md#event-files): such a file is no configuration, and no text.
+constexpr std::string_view event_file_mark = "FASTEREV";
+/// Whether a file does; not of a pipe, whose beginning would be lost.
+bool is_event_file(std::filesystem::path const& path);
 
 /// Reads a configuration file (YAML; empty is fine: all defaults) and applies `overrides`, each "a.b.c=value", in their
 /// order; they win over the file, later ones over earlier ones. Below both lies the preset that

@@ -5,12 +5,13 @@
 #include <string_view>
 
 #include "dataflow/base/little_endian.hpp"
+#include "dataflow/run/config/load_config.hpp"
 
 namespace dataflow::events {
 
 /// Where what lies in an event file: opening, header frame, a frame per sample, index frame, closing. Numbers are
 /// little-endian.
-constexpr std::string_view opening_mark = "FASTEREV";
+constexpr std::string_view opening_mark = event_file_mark;
 constexpr std::string_view closing_mark = "FASTERND";
 constexpr std::uint32_t format_version = 5;
 constexpr std::size_t opening_bytes = 16;  ///< mark, version (32 bits), bytes of the header frame (32 bits)

@@ -20,11 +20,11 @@
 #include "dataflow/run/events/event_file_format.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/run_cells.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::fuzz {
 
@@ -135,9 +135,9 @@ Unsealed recorded_parts() {
     AcceleratorConfig config;
     config.cores = 2;
     adopt(stimulus, config);
-    ForkOptions options;
+    TestRunOptions options;
     options.events = folder / "a.events";
-    run_forked(config, stimulus, Engine::decoupled, options);
+    test_run(config, stimulus, Engine::decoupled, options);
     return unsealed(bytes_of(options.events));
 }
 
@@ -159,16 +159,16 @@ void run_engine(std::string_view bytes) {
     Stimulus const stimulus = small_stimulus(seed);
     AcceleratorConfig const config = any_config(seed, stimulus, seed % 3 != 0);
     test::TempFolder const folder;
-    ForkOptions recording;
+    TestRunOptions recording;
     recording.events = folder / "a.events";
-    RunStatistics const decoupled = run_forked(config, stimulus, Engine::decoupled, recording).statistics;
-    require_same(decoupled, run_forked(config, stimulus, Engine::lockstep).statistics, "engines");
+    RunStatistics const decoupled = test_run(config, stimulus, Engine::decoupled, recording).statistics;
+    require_same(decoupled, test_run(config, stimulus, Engine::lockstep).statistics, "engines");
     if (decoupled.deadlocked())
         return;
     AcceleratorConfig const other = with_timing_of(any_config(seed + 1, stimulus, seed % 5 != 0), config);
     events::EventFile const recorded = events::read_event_file(recording.events);
     require_same(replay::retime(recorded.run, raster_machine(other)),
-                 run_forked(other, stimulus, Engine::decoupled).statistics, "whatif");
+                 test_run(other, stimulus, Engine::decoupled).statistics, "whatif");
 }
 
 void run_events(std::string_view bytes) {

@@ -15,9 +15,9 @@
 #include "faster/workload/files/trace.hpp"
 #include "support/command.hpp"
 #include "support/counters.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace mutation_test {
 
@@ -26,7 +26,7 @@ using testing::bram_count;
 using testing::BramId;
 using testing::FifoId;
 using testing::LoopId;
-using testing::run_forked;
+using testing::test_run;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
@@ -120,7 +120,7 @@ std::vector<std::uint64_t> simulated(std::string const& trace, std::vector<std::
     LoadedConfig loaded = load_config(source + "/configs/faster_zcu102.yaml", overrides);
     Stimulus const stimulus = files::read_trace(source + "/traces/" + trace);
     adopt_trace(loaded, stimulus.width, stimulus.height, stimulus.window, stimulus.fraction, stimulus.samples.size());
-    RunStatistics const run = run_forked(accelerator_of(loaded.config), stimulus, Engine::decoupled).statistics;
+    RunStatistics const run = test_run(accelerator_of(loaded.config), stimulus, Engine::decoupled).statistics;
     return run.deadlocked() ? std::vector<std::uint64_t>{} : guarded_figures(run);
 }
 

@@ -22,6 +22,7 @@
 #include "dataflow/tools/sizing/size_fifos.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/forked_bytes.hpp"
+#include "support/fresh_kernel.hpp"
 
 namespace faster::chance {
 
@@ -320,21 +321,23 @@ std::optional<Outcome::Sized> size(Design const& design, replay::RecordedRun con
     }
 }
 
-Outcome run_here(Design const& design, Design const& other, faster::Engine engine, bool records, bool sizes) {
-    Outcome outcome;
+/// The outcome has its engine, and whether it is to be recorded.
+void run_here(Design const& design, Design const& other, bool sizes, Outcome& outcome) {
+    testing::FreshKernel const kernel;
     try {
-        design_at_hand() = design;
-        Elaborated const made(simulation(), design, engine);
+        Elaborated const made(simulation(), design, outcome.engine);
         replay::RecordedRun recorded;
         SimulationOptions options;
-        options.recorded = records ? &recorded : nullptr;
-        options.jobs = 1 + design.samples % 3;  // how a run is shared between host cores makes no difference
-        options.figures_alone = design.samples % 4 < 2;
+        options.recorded = outcome.is_recorded ? &recorded : nullptr;
+        // How a run is shared between host cores makes no difference: between processes in few, as they cost more than
+        // such a run takes.
+        options.jobs = 1 + design.samples % 3;
+        options.figures_alone = design.samples % 5 == 4;
         RunStatistics const run = simulate(*made.accelerator, options);
         outcome.run = figures_of(run);
         if (std::string const left = leftover_tokens(run); !run.deadlocked() && !left.empty())
             throw std::logic_error("tokens are left: " + left);
-        if (records && !run.deadlocked()) {
+        if (outcome.is_recorded && !run.deadlocked()) {
             outcome.as_is = figures_of(retime_ready(recorded, *made.machine));
             outcome.from_file = figures_from_file(made.loaded, recorded, run);
             retime_as(other, recorded, outcome);
@@ -344,11 +347,9 @@ Outcome run_here(Design const& design, Design const& other, faster::Engine engin
     } catch (std::exception const& error) {
         outcome.error = error.what();
     }
-    return outcome;
 }
 
-std::string bytes_of(Outcome const& outcome) {
-    ValueWriter writer;
+void put(ValueWriter& writer, Outcome const& outcome) {
     writer.put(outcome.error);
     writer.put(outcome.refusal);
     for (Figures const* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
@@ -358,33 +359,49 @@ std::string bytes_of(Outcome const& outcome) {
         writer.put(outcome.sized->depths, outcome.sized->kinds, outcome.sized->bound);
         put(writer, outcome.sized->figures);
     }
-    return writer.bytes();
+}
+
+void get(ValueReader& reader, Outcome& outcome) {
+    reader.get(outcome.error);
+    reader.get(outcome.refusal);
+    for (Figures* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
+        *figures = figures_from(reader);
+    bool is_sized = false;
+    reader.get(is_sized);
+    if (is_sized) {
+        outcome.sized = Outcome::Sized();
+        reader.get(outcome.sized->depths);
+        reader.get(outcome.sized->kinds);
+        reader.get(outcome.sized->bound);
+        outcome.sized->figures = figures_from(reader);
+    }
 }
 
 }  // namespace
 
-Outcome run_forked(Design const& design, Design const& other, faster::Engine engine, bool records, bool sizes) {
-    Outcome outcome;
-    try {
-        ValueReader reader(
-            testing::forked_bytes([&] { return bytes_of(run_here(design, other, engine, records, sizes)); }));
-        reader.get(outcome.error);
-        reader.get(outcome.refusal);
-        for (Figures* figures : {&outcome.run, &outcome.as_is, &outcome.from_file, &outcome.other})
-            *figures = figures_from(reader);
-        bool is_sized = false;
-        reader.get(is_sized);
-        if (is_sized) {
-            outcome.sized = Outcome::Sized();
-            reader.get(outcome.sized->depths);
-            reader.get(outcome.sized->kinds);
-            reader.get(outcome.sized->bound);
-            outcome.sized->figures = figures_from(reader);
+std::vector<Outcome> run_forked(Design const& design, Design const& other, bool sizes) {
+    std::vector<Outcome> outcomes;
+    for (faster::Engine const engine : {faster::Engine::lockstep, faster::Engine::decoupled})
+        for (bool const is_recorded : {false, true}) {
+            outcomes.emplace_back().engine = engine;
+            outcomes.back().is_recorded = is_recorded;
         }
+    try {
+        ValueReader reader(testing::forked_bytes([&] {
+            design_at_hand() = design;
+            ValueWriter writer;
+            for (Outcome& outcome : outcomes) {
+                run_here(design, other, sizes, outcome);
+                put(writer, outcome);
+            }
+            return writer.bytes();
+        }));
+        for (Outcome& outcome : outcomes)
+            get(reader, outcome);
     } catch (std::runtime_error const& error) {
-        outcome.error = error.what();
+        outcomes.front().error = error.what();
     }
-    return outcome;
+    return outcomes;
 }
 
 }  // namespace faster::chance

@@ -11,8 +11,10 @@
 
 namespace faster::chance {
 
-/// What came of a design, in a process of its own: the SystemC kernel elaborates once per process.
+/// What came of a design in one engine.
 struct Outcome {
+    Engine engine = Engine::lockstep;
+    bool is_recorded = false;
     std::string error;  ///< what was thrown; empty: nothing
     Figures run;
     // Of a run that was recorded and did not get stuck.
@@ -30,8 +32,8 @@ struct Outcome {
     std::optional<Sized> sized;
 };
 
-/// With `records`, the run is recorded, and with `sizes` as well, its FIFOs are sized; `other` is the same design with
-/// other timing keys.
-Outcome run_forked(Design const& design, Design const& other, Engine engine, bool records, bool sizes = false);
+/// In both engines, recorded and not, by a process of its own: a program has one design and its keys. With `sizes`, the
+/// FIFOs of those that are recorded are sized; `other` is the same design with other timing keys.
+std::vector<Outcome> run_forked(Design const& design, Design const& other, bool sizes);
 
 }  // namespace faster::chance

@@ -8,7 +8,7 @@
 
 namespace faster::chance {
 
-/// A design by chance with its settings, ready to be run: once, as the SystemC kernel elaborates once per process.
+/// A design by chance with its settings, ready to be run once.
 struct Elaborated {
     Elaborated(SimulatedDesign const& simulation, Design const& design, Engine engine) {
         loaded.config.simulation.engine = engine;

@@ -13,7 +13,7 @@
 #include "dataflow/core/machine/core_of.hpp"
 #include "dataflow/run/replay/retime.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/forked_bytes.hpp"
+#include "support/fresh_kernel.hpp"
 
 namespace faster::chance {
 
@@ -105,27 +105,27 @@ inline std::unique_ptr<DataflowAccelerator> accelerator_of(Pair const& pair,
 inline std::string outcome_of(Pair const& pair, Engine engine, MachineSettings const& settings = {},
                               MachineSettings const* retimed_with = nullptr, std::size_t samples = 1,
                               std::vector<Recording> const& recordings = {}) {
-    return testing::forked_bytes([&]() -> std::string {
-        try {
-            auto const machine =
-                std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), settings));
-            auto const accelerator = accelerator_of(pair, machine, samples, engine);
-            replay::RecordedRun recorded;
-            SimulationOptions options;
-            options.recordings = recordings;
-            options.recorded = retimed_with != nullptr ? &recorded : nullptr;
-            RunStatistics run = simulate(*accelerator, options);
-            if (retimed_with != nullptr)
-                run = replay::retime(recorded, make_machine(core_of({pair.writer, pair.reader}), *retimed_with));
-            std::string ends;
-            for (std::size_t i = 0; samples > 1 && i < run.samples.size(); ++i)
-                ends += " " + std::to_string(run.samples[i].end_cycle);
-            return run.deadlocked() ? "stuck " + std::to_string(run.stuck.size())
-                                    : std::to_string(run.total_cycles) + ends + leftover_tokens(run) + notes();
-        } catch (InputError const& error) {
-            return error.what();
-        }
-    });
+    testing::FreshKernel const kernel;
+    notes().clear();
+    try {
+        auto const machine =
+            std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), settings));
+        auto const accelerator = accelerator_of(pair, machine, samples, engine);
+        replay::RecordedRun recorded;
+        SimulationOptions options;
+        options.recordings = recordings;
+        options.recorded = retimed_with != nullptr ? &recorded : nullptr;
+        RunStatistics run = simulate(*accelerator, options);
+        if (retimed_with != nullptr)
+            run = replay::retime(recorded, make_machine(core_of({pair.writer, pair.reader}), *retimed_with));
+        std::string ends;
+        for (std::size_t i = 0; samples > 1 && i < run.samples.size(); ++i)
+            ends += " " + std::to_string(run.samples[i].end_cycle);
+        return run.deadlocked() ? "stuck " + std::to_string(run.stuck.size())
+                                : std::to_string(run.total_cycles) + ends + leftover_tokens(run) + notes();
+    } catch (InputError const& error) {
+        return error.what();
+    }
 }
 
 }  // namespace faster::chance

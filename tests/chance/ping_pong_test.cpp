@@ -68,30 +68,28 @@ class GatedCore : public DataflowCore {
 };
 
 std::string outcome_of(Gated const& gated, Engine engine) {
-    return testing::forked_bytes([&]() -> std::string {
-        try {
-            ModuleDescription writer("writer"), gate("gate"), reader("reader");
-            writer.writes_to("b").of_bits(32).hands_over(16);
-            writer.writes_to("f").of_bits(32).of_depth(gated.samples);
-            gate.reads_from("f");
-            gate.writes_to("go").of_bits(1);
-            reader.reads_from("b");
-            reader.reads_from("go");
-            MachineSettings settings;
-            settings.fifo("b").depth = gated.buffers;
-            auto const machine = std::make_shared<Machine const>(
-                make_machine(with_calls(core_of({writer, gate, reader}), settings), settings));
-            DataflowAccelerator accelerator("accelerator", machine, gated.samples, engine,
-                                            [&](char const* name, std::shared_ptr<Machine const> const& of,
-                                                CoreShare share, TimeBase const& time_base) {
-                                                return std::make_unique<GatedCore>(name, of, share, time_base, gated);
-                                            });
-            RunStatistics const run = simulate(accelerator, {});
-            return run.deadlocked() ? "stuck " + std::to_string(run.stuck.size()) : std::to_string(run.total_cycles);
-        } catch (InputError const& error) {
-            return error.what();
-        }
-    });
+    testing::FreshKernel const kernel;
+    try {
+        ModuleDescription writer("writer"), gate("gate"), reader("reader");
+        writer.writes_to("b").of_bits(32).hands_over(16);
+        writer.writes_to("f").of_bits(32).of_depth(gated.samples);
+        gate.reads_from("f");
+        gate.writes_to("go").of_bits(1);
+        reader.reads_from("b");
+        reader.reads_from("go");
+        MachineSettings settings;
+        settings.fifo("b").depth = gated.buffers;
+        auto const machine = std::make_shared<Machine const>(
+            make_machine(with_calls(core_of({writer, gate, reader}), settings), settings));
+        DataflowAccelerator accelerator(
+            "accelerator", machine, gated.samples, engine,
+            [&](char const* name, std::shared_ptr<Machine const> const& of, CoreShare share,
+                TimeBase const& time_base) { return std::make_unique<GatedCore>(name, of, share, time_base, gated); });
+        RunStatistics const run = simulate(accelerator, {});
+        return run.deadlocked() ? "stuck " + std::to_string(run.stuck.size()) : std::to_string(run.total_cycles);
+    } catch (InputError const& error) {
+        return error.what();
+    }
 }
 
 TEST_CASE("a writer of ping-pong buffers is ahead of their reader by as many as there are", "[ping_pong]") {

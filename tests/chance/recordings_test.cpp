@@ -15,7 +15,7 @@
 #include "dataflow/tools/recording/core_timeline.hpp"
 #include "dataflow/tools/recording/write_waveform.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/forked_bytes.hpp"
+#include "support/fresh_kernel.hpp"
 
 namespace recordings_test {
 
@@ -33,13 +33,13 @@ using Parts = std::vector<Part>;
 class PartModule : public SampleModule {
   public:
     PartModule(DataflowCore& core, Part const& part)
-        : SampleModule(part.module.name.c_str(), core), core_(core), part_(part) {}
+        : SampleModule(part.module.name.c_str(), core), core_(core), work_(part.work) {}
 
   private:
-    void work(std::size_t /*sample*/) override { part_.work(clock_, core_); }
+    void work(std::size_t /*sample*/) override { work_(clock_, core_); }
 
     DataflowCore& core_;
-    Part const& part_;
+    decltype(Part::work) work_;
 };
 
 class PartsCore : public DataflowCore {
@@ -107,43 +107,41 @@ struct Stretch {
 /// With `window`, only that is recorded.
 std::string shown(Parts const& parts, Engine engine, std::size_t samples, Stretch stretch,
                   std::optional<Stretch> window, MachineSettings const& settings) {
-    return testing::forked_bytes([&] {
-        std::vector<ModuleDescription> modules;
-        for (Part const& part : parts)
-            modules.push_back(part.module);
-        auto const machine =
-            std::make_shared<Machine const>(make_machine(with_calls(core_of(modules), settings), settings));
-        DataflowAccelerator accelerator("accelerator", machine, samples, engine,
-                                        [&parts](char const* name, std::shared_ptr<Machine const> const& of,
-                                                 CoreShare share, TimeBase const& time_base) {
-                                            return std::make_unique<PartsCore>(name, of, share, time_base, parts);
-                                        });
-        std::string waveform, timeline = "timeline", table = "table";
-        Recording whole, waves;
-        whole.done = [&](recording::RecordedWindow const& of) {
-            recording::CoreTimeline const made = recording::make_timeline(of.cores.front(), {});
-            for (recording::CoreTimeline::Sample const& sample : made.samples)
-                timeline += " " + std::to_string(sample.begin) + "-" + std::to_string(sample.end - 1);
-            for (TimelineSpan const& span : made.spans)
-                if (span.kind == TimelineSpan::Kind::loop)
-                    timeline += " " + machine->loops[span.item].name + " " + std::to_string(span.count);
-        };
-        if (window) {
-            waves.window.from = window->from;
-            waves.window.to = window->to;
-        }
-        waves.done = [&](recording::RecordedWindow const& of) {
-            recording::WaveformFiles files;
-            files.push_back(std::make_unique<TextFile>(stretch.from, stretch.to, waveform));
-            recording::write_waveform(files, *machine, of, recording::SignalFilter({}, *machine), {});
-        };
-        SimulationOptions options;
-        options.recordings = {whole, waves};
-        RunStatistics const run = simulate(accelerator, options);
-        for (SampleStatistics const& sample : run.samples)
-            table += " " + std::to_string(sample.start_cycle) + "-" + std::to_string(sample.end_cycle);
-        return table + "\n" + timeline + "\n" + waveform;
-    });
+    testing::FreshKernel const kernel;
+    std::vector<ModuleDescription> modules;
+    for (Part const& part : parts)
+        modules.push_back(part.module);
+    auto const machine =
+        std::make_shared<Machine const>(make_machine(with_calls(core_of(modules), settings), settings));
+    DataflowAccelerator accelerator(
+        "accelerator", machine, samples, engine,
+        [&parts](char const* name, std::shared_ptr<Machine const> const& of, CoreShare share,
+                 TimeBase const& time_base) { return std::make_unique<PartsCore>(name, of, share, time_base, parts); });
+    std::string waveform, timeline = "timeline", table = "table";
+    Recording whole, waves;
+    whole.done = [&](recording::RecordedWindow const& of) {
+        recording::CoreTimeline const made = recording::make_timeline(of.cores.front(), {});
+        for (recording::CoreTimeline::Sample const& sample : made.samples)
+            timeline += " " + std::to_string(sample.begin) + "-" + std::to_string(sample.end - 1);
+        for (TimelineSpan const& span : made.spans)
+            if (span.kind == TimelineSpan::Kind::loop)
+                timeline += " " + machine->loops[span.item].name + " " + std::to_string(span.count);
+    };
+    if (window) {
+        waves.window.from = window->from;
+        waves.window.to = window->to;
+    }
+    waves.done = [&](recording::RecordedWindow const& of) {
+        recording::WaveformFiles files;
+        files.push_back(std::make_unique<TextFile>(stretch.from, stretch.to, waveform));
+        recording::write_waveform(files, *machine, of, recording::SignalFilter({}, *machine), {});
+    };
+    SimulationOptions options;
+    options.recordings = {whole, waves};
+    RunStatistics const run = simulate(accelerator, options);
+    for (SampleStatistics const& sample : run.samples)
+        table += " " + std::to_string(sample.start_cycle) + "-" + std::to_string(sample.end_cycle);
+    return table + "\n" + timeline + "\n" + waveform;
 }
 
 /// In both engines.

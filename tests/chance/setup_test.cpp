@@ -11,16 +11,15 @@ using namespace faster::chance;
 
 /// The writer's setup cycles, whether its classes add up to the total, and the sentence about them.
 std::string setups_of(Pair const& pair, Cycles starts, Engine engine) {
-    return testing::forked_bytes([&] {
-        MachineSettings settings;
-        settings.start("writer") = starts;
-        auto const machine = std::make_shared<Machine const>(
-            make_machine(with_calls(core_of({pair.writer, pair.reader}), settings), settings));
-        RunStatistics const run = simulate(*accelerator_of(pair, machine, 1, engine));
-        ProcessStatistics const& writer = run.cores[0].processes[0];
-        return std::to_string(writer[CycleClass::setup]) + (writer.sum() == run.total_cycles ? " " : " not all ") +
-               dataflow::report::diagnosis_sentences(run).at(1);
-    });
+    testing::FreshKernel const kernel;
+    MachineSettings settings;
+    settings.start("writer") = starts;
+    auto const machine = std::make_shared<Machine const>(
+        make_machine(with_calls(core_of({pair.writer, pair.reader}), settings), settings));
+    RunStatistics const run = simulate(*accelerator_of(pair, machine, 1, engine));
+    ProcessStatistics const& writer = run.cores[0].processes[0];
+    return std::to_string(writer[CycleClass::setup]) + (writer.sum() == run.total_cycles ? " " : " not all ") +
+           dataflow::report::diagnosis_sentences(run).at(1);
 }
 
 TEST_CASE("What a module waits until it may start is setup, besides what it prepares") {

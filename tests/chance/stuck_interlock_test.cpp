@@ -65,30 +65,26 @@ class Core : public DataflowCore {
 };
 
 std::string stuck(Engine engine) {
-    return testing::forked_bytes([engine] {
-        ModuleDescription writer("writer"), reader("reader");
-        constexpr PixelOffset own{0, 0};
-        for (char const* fifo : {"f", "g", "h"}) {
-            writer.writes_to(fifo).of_bits(32);
-            reader.reads_from(fifo);
-        }
-        reader.loop("receive").of_depth(9).accesses_memory("m", {{own}, {own}}).in_stages({"m", 0, 7, 1, 1});
-        reader.memory("m").of_words(1, 2, 8);
-        MachineSettings settings;
-        settings.dependence("reader.receive.m").hazards = HazardHandling::interlock;
-        auto const machine = std::make_shared<Machine const>(make_machine(core_of({writer, reader}), settings));
-        DataflowAccelerator accelerator(
-            "accelerator", machine, 1, engine,
-            [](char const* name, std::shared_ptr<Machine const> const& of, CoreShare share, TimeBase const& base) {
-                return std::make_unique<Core>(name, of, share, base);
-            });
-        RunStatistics const run = simulate(accelerator, {});
-        std::string text;
-        for (StuckProcess const& process : run.stuck)
-            text +=
-                process.process + " waits for " + process.fifo + " since " + std::to_string(process.since_cycle) + ", ";
-        return text + std::to_string(run.cores.at(0).loops.at(0).interlock_cycles) + " cycles of waits for writes";
-    });
+    testing::FreshKernel const kernel;
+    ModuleDescription writer("writer"), reader("reader");
+    constexpr PixelOffset own{0, 0};
+    for (char const* fifo : {"f", "g", "h"}) {
+        writer.writes_to(fifo).of_bits(32);
+        reader.reads_from(fifo);
+    }
+    reader.loop("receive").of_depth(9).accesses_memory("m", {{own}, {own}}).in_stages({"m", 0, 7, 1, 1});
+    reader.memory("m").of_words(1, 2, 8);
+    MachineSettings settings;
+    settings.dependence("reader.receive.m").hazards = HazardHandling::interlock;
+    auto const machine = std::make_shared<Machine const>(make_machine(core_of({writer, reader}), settings));
+    DataflowAccelerator accelerator("accelerator", machine, 1, engine,
+                                    [](char const* name, std::shared_ptr<Machine const> const& of, CoreShare share,
+                                       TimeBase const& base) { return std::make_unique<Core>(name, of, share, base); });
+    RunStatistics const run = simulate(accelerator, {});
+    std::string text;
+    for (StuckProcess const& process : run.stuck)
+        text += process.process + " waits for " + process.fifo + " since " + std::to_string(process.since_cycle) + ", ";
+    return text + std::to_string(run.cores.at(0).loops.at(0).interlock_cycles) + " cycles of waits for writes";
 }
 
 TEST_CASE("what an iteration that never begins would wait for a write does not count") {

@@ -9,12 +9,11 @@ using namespace faster::chance;
 
 /// The line at which the first process that is stuck waits.
 std::string line_of_wait(Pair const& pair, Engine engine) {
-    return testing::forked_bytes([&] {
-        auto const machine = std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), {}));
-        RunStatistics const run = simulate(*accelerator_of(pair, machine, 1, engine));
-        std::string const source = run.stuck.empty() ? "nobody is stuck" : run.stuck.front().source;
-        return source.substr(source.find(':') + 1);
-    });
+    testing::FreshKernel const kernel;
+    auto const machine = std::make_shared<Machine const>(make_machine(core_of({pair.writer, pair.reader}), {}));
+    RunStatistics const run = simulate(*accelerator_of(pair, machine, 1, engine));
+    std::string const source = run.stuck.empty() ? "nobody is stuck" : run.stuck.front().source;
+    return source.substr(source.find(':') + 1);
 }
 
 TEST_CASE("a deadlock names the line of the access that waits, however far ahead its module is") {

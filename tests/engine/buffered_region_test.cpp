@@ -7,7 +7,6 @@
 #include "dataflow/run/replay/retime.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
@@ -15,6 +14,7 @@
 #include "support/run_cells.hpp"
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 // Double buffers of which only the touched region is read out: the region has to stay with its buffer.
 
@@ -85,7 +85,7 @@ class DirtyWords {
     std::size_t drawn_ = 0;
 };
 
-/// In the simulation's process: what it throws, run_forked() throws.
+/// In the simulation's process: what it throws, test_run() throws.
 void check_clearing(recording::RecordedWindow const& window) {
     std::map<std::size_t, DirtyWords> dirty;
     for_each_access(window.cores, [&](auto const& event, auto const& read, auto const& accesses) {
@@ -121,7 +121,7 @@ TEST_CASE("Without triangles two buffers and a touched region take W^2 + 9 cycle
             CAPTURE(engine, window, samples);
             auto const pixels = static_cast<Cycles>(window) * static_cast<Cycles>(window);
             RunStatistics const run =
-                run_forked(with_two_of_each(SweepRegion::touched), empty_stimulus(window, samples), engine).statistics;
+                test_run(with_two_of_each(SweepRegion::touched), empty_stimulus(window, samples), engine).statistics;
             CHECK(run.total_cycles == pixels + 10 + static_cast<Cycles>(samples - 1) * (pixels + 9));
             for (SampleStatistics const& sample : run.samples)
                 CHECK(counters_of(sample).valid_depth == static_cast<std::uint64_t>((window - 2) * (window - 2)));
@@ -135,10 +135,10 @@ TEST_CASE("A region travels with its buffer, past samples that touch nothing", "
         CAPTURE(engine, static_cast<int>(clearing));
         AcceleratorConfig config = with_two_of_each(SweepRegion::touched);
         config.edge_map.clearing = config.inlier_unit.clearing = clearing;
-        RunStatistics const run = run_forked(config, stimulus, engine).statistics;
+        RunStatistics const run = test_run(config, stimulus, engine).statistics;
         config.inlier_unit.sweep_region = SweepRegion::window;
         config.edge_map.buffers = config.inlier_unit.buffers = 1;
-        RunStatistics const plain = run_forked(config, stimulus, engine).statistics;
+        RunStatistics const plain = test_run(config, stimulus, engine).statistics;
         for (std::size_t i = 0; i < stimulus.samples.size(); ++i)
             CHECK(run.samples[i].counters == plain.samples[i].counters);
         auto const& loops = run.cores.at(0).loops;
@@ -163,7 +163,7 @@ TEST_CASE("What a module waits for when the last sample is over is not in its cy
                 config.fifo(FifoId::edge_token).depth = depth;
                 Stimulus stimulus = triangle_now_and_then(24, samples);
                 stimulus.triangles.front() = {{{16, 16, 16384}, {16, 96, 16384}, {96, 16, 16384}}};
-                RunStatistics const run = run_forked(config, stimulus, engine).statistics;
+                RunStatistics const run = test_run(config, stimulus, engine).statistics;
                 for (std::size_t const i : modules_of(run.machine)) {
                     CAPTURE(module_ids[i].name);
                     ProcessStatistics const& process = run.cores.at(0).processes[i];
@@ -181,10 +181,10 @@ TEST_CASE("What was drawn into a buffer is cleared before anybody draws there ag
         trial.config.edge_map.clearing = trial.config.inlier_unit.clearing = MapClearing::on_read_out;
         for (LoopId const id : keyed_loop_ids)  // or a loop ends before the accesses of its last iteration
             trial.config.loop(id).depth = std::max<Cycles>(loop_of(trial.config, id).depth, 64);
-        ForkOptions options;
+        TestRunOptions options;
         options.recordings.push_back({recording::RecordingWindow{}, check_clearing});
         CHECK_NOTHROW(
-            run_forked(trial.config, trial.stimulus, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep, options));
+            test_run(trial.config, trial.stimulus, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep, options));
     }
 }
 
@@ -192,11 +192,11 @@ TEST_CASE("What two buffers and a region would take is what a run takes", "[doub
     test::TempFolder const folder;
     for (std::uint64_t seed = 21100; seed < 21112; ++seed) {
         Trial const recorded = trial_of(seed);
-        ForkOptions options;
+        TestRunOptions options;
         options.events = folder / "events";
-        REQUIRE_FALSE(run_forked(recorded.config, recorded.stimulus,
-                                 seed % 2 == 0 ? Engine::decoupled : Engine::lockstep, options)
-                          .statistics.deadlocked());
+        REQUIRE_FALSE(
+            test_run(recorded.config, recorded.stimulus, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep, options)
+                .statistics.deadlocked());
         events::EventFile const file = events::read_event_file(folder / "events");
         for (std::uint64_t other = seed + 100; other < seed + 108; ++other) {
             CAPTURE(seed, other);
@@ -208,7 +208,7 @@ TEST_CASE("What two buffers and a region would take is what a run takes", "[doub
             config.numbers = recorded.config.numbers;
             for (BramId const bram : bram_ids)
                 config.memory(bram).partition = recorded.config.memory(bram).partition;
-            RunStatistics const run = run_forked(config, recorded.stimulus, Engine::decoupled).statistics;
+            RunStatistics const run = test_run(config, recorded.stimulus, Engine::decoupled).statistics;
             RunStatistics const retimed = replay::retime(file.run, raster_machine(config));
             REQUIRE(retimed.deadlocked() == run.deadlocked());
             CHECK((run.deadlocked() || first_difference(all_cells(retimed), all_cells(run)) == ""));

@@ -4,8 +4,8 @@
 
 #include "faster/dataflow_names.hpp"
 #include "support/cycle_twin.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/small_stimulus.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::closed_form_test {
 
@@ -21,7 +21,7 @@ TEST_CASE("The engines take what the case by hand takes", "[closed_form]") {
     Engine const engine = either_engine();
     for (int const samples : {1, 2, 3}) {
         CAPTURE(engine, samples);
-        RunStatistics const run = run_forked(with_cores(1), empty_stimulus(200, samples), engine).statistics;
+        RunStatistics const run = test_run(with_cores(1), empty_stimulus(200, samples), engine).statistics;
         CHECK(run.total_cycles == 160015 + static_cast<Cycles>(samples - 1) * 160010);
     }
 }
@@ -32,7 +32,7 @@ TEST_CASE("Without triangles an engine takes 4 W^2 + 15 cycles and 4 W^2 + 10 ea
         Cycles const pixels = static_cast<Cycles>(window) * static_cast<Cycles>(window);
         for (int samples = 1; samples <= 4; ++samples) {
             CAPTURE(engine, window, samples);
-            RunStatistics const run = run_forked(with_cores(1), empty_stimulus(window, samples), engine).statistics;
+            RunStatistics const run = test_run(with_cores(1), empty_stimulus(window, samples), engine).statistics;
             CHECK_FALSE(run.deadlocked());
             CHECK(run.total_cycles == 4 * pixels + 15 + static_cast<Cycles>(samples - 1) * (4 * pixels + 10));
         }
@@ -43,7 +43,7 @@ TEST_CASE("One small triangle, as worked out by hand", "[closed_form]") {
     // The cycles are derived in the unit test of the cycle twin.
     Engine const engine = either_engine();
     CAPTURE(engine);
-    RunStatistics const run = run_forked(with_cores(1), one_small_triangle(), engine).statistics;
+    RunStatistics const run = test_run(with_cores(1), one_small_triangle(), engine).statistics;
     REQUIRE_FALSE(run.deadlocked());
     CHECK(run.total_cycles == 167);
     REQUIRE(run.samples.size() == 1);
@@ -93,7 +93,7 @@ TEST_CASE("One small triangle, as worked out by hand", "[closed_form]") {
 TEST_CASE("A run without samples takes no cycle", "[closed_form]") {
     Engine const engine = either_engine();
     CAPTURE(engine);
-    RunStatistics const run = run_forked(with_cores(3), empty_stimulus(4, 0), engine).statistics;
+    RunStatistics const run = test_run(with_cores(3), empty_stimulus(4, 0), engine).statistics;
     CHECK(run.total_cycles == 0);
     CHECK(run.samples.empty());
     CHECK_FALSE(run.deadlocked());
@@ -103,7 +103,7 @@ TEST_CASE("A run without samples takes no cycle", "[closed_form]") {
 TEST_CASE("Cores take consecutive samples, one without samples has rows of zeros", "[closed_form]") {
     Engine const engine = either_engine();
     CAPTURE(engine);
-    RunStatistics const run = run_forked(with_cores(4), empty_stimulus(4, 5), engine).statistics;  // 2, 2, 1 and none
+    RunStatistics const run = test_run(with_cores(4), empty_stimulus(4, 5), engine).statistics;  // 2, 2, 1 and none
     CHECK(run.total_cycles == 79 + 74);
     REQUIRE(run.samples.size() == 5);
     std::vector<std::uint64_t> cores;
@@ -137,7 +137,7 @@ TEST_CASE("A fragment FIFO of depth 1 deadlocks in a circle", "[closed_form]") {
     AcceleratorConfig config = with_cores(1);
     config.fifo(fifo).depth = 1;
     TwinResult const twin = run_twin(config, one_small_triangle());
-    RunStatistics const run = run_forked(config, one_small_triangle(), engine).statistics;
+    RunStatistics const run = test_run(config, one_small_triangle(), engine).statistics;
     REQUIRE(twin.deadlock);
     REQUIRE(run.deadlocked());
     CHECK(run.deadlock_cycle() == twin.deadlock_cycle);
@@ -164,10 +164,10 @@ TEST_CASE("A command FIFO of depth 1 alone is slow but goes on", "[closed_form]"
     for (SampleInput& sample : stimulus.samples)
         sample.triangle_count = 1;
     AcceleratorConfig config = with_cores(1);
-    Cycles const of_depth_2 = run_forked(config, stimulus, engine).statistics.total_cycles;
+    Cycles const of_depth_2 = test_run(config, stimulus, engine).statistics.total_cycles;
     config.fifo(FifoId::command).depth = 1;
     TwinResult const twin = run_twin(config, stimulus);
-    RunStatistics const run = run_forked(config, stimulus, engine).statistics;
+    RunStatistics const run = test_run(config, stimulus, engine).statistics;
     REQUIRE_FALSE(twin.deadlock);
     REQUIRE_FALSE(run.deadlocked());
     CHECK(run.total_cycles == twin.total_cycles);
@@ -176,7 +176,7 @@ TEST_CASE("A command FIFO of depth 1 alone is slow but goes on", "[closed_form]"
     config.fifo(FifoId::fragment_depth).depth = 1;  // all three are shallow
     config.fifo(FifoId::fragment_index).depth = 1;
     TwinResult const stuck_twin = run_twin(config, stimulus);
-    RunStatistics const stuck = run_forked(config, stimulus, engine).statistics;
+    RunStatistics const stuck = test_run(config, stimulus, engine).statistics;
     REQUIRE(stuck_twin.deadlock);
     REQUIRE(stuck.deadlocked());
     CHECK(stuck.deadlock_cycle() == stuck_twin.deadlock_cycle);

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "faster/dataflow_names.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::critical_path_test {
 
@@ -28,19 +28,19 @@ Trial trial_of(std::uint64_t seed, IntRange fifo_depth = {1, 64}) {
     return {random_config(seed, config), random_stimulus(seed, stimulus)};
 }
 
-ForkOptions traced(std::size_t trail_length = timing::Trail::usual_length) {
-    ForkOptions options;
+TestRunOptions traced(std::size_t trail_length = timing::Trail::usual_length) {
+    TestRunOptions options;
     options.critical_path = true;
     options.trail_length = trail_length;
     return options;
 }
 
-RunStatistics trace(Trial const& trial, Engine engine = Engine::decoupled, ForkOptions const& options = traced()) {
-    return run_forked(trial.config, trial.stimulus, engine, options).statistics;
+RunStatistics trace(Trial const& trial, Engine engine = Engine::decoupled, TestRunOptions const& options = traced()) {
+    return test_run(trial.config, trial.stimulus, engine, options).statistics;
 }
 
 Cycles total_of(AcceleratorConfig const& config, Stimulus const& stimulus) {
-    return run_forked(config, stimulus, Engine::decoupled).statistics.total_cycles;
+    return test_run(config, stimulus, Engine::decoupled).statistics.total_cycles;
 }
 
 Cycles sum_of(RunStatistics const& run) {
@@ -77,7 +77,7 @@ TEST_CASE("The critical path adds up to the total, the same from both engines: s
         REQUIRE_FALSE(decoupled.deadlocked());
         CHECK(sum_of(decoupled) == decoupled.total_cycles);
         CHECK(first_difference(path_cells(trace(trial, Engine::lockstep)), path_cells(decoupled)) == "");
-        CHECK(first_difference(all_cells(run_forked(trial.config, trial.stimulus, Engine::decoupled).statistics),
+        CHECK(first_difference(all_cells(test_run(trial.config, trial.stimulus, Engine::decoupled).statistics),
                                all_cells(decoupled)) == "");
     }
 }

@@ -5,12 +5,12 @@
 
 #include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/recorded_accesses.hpp"
 #include "support/run_cells.hpp"
 #include "support/small_stimulus.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::double_buffers_test {
 
@@ -51,8 +51,8 @@ Trial trial_of(std::uint64_t seed, TrialOptions const& options = {}) {
     return trial;
 }
 
-ForkedRun run(Trial const& trial, Engine engine = Engine::decoupled, ForkOptions const& options = {}) {
-    return run_forked(trial.config, trial.stimulus, engine, options);
+TestRun run(Trial const& trial, Engine engine = Engine::decoupled, TestRunOptions const& options = {}) {
+    return test_run(trial.config, trial.stimulus, engine, options);
 }
 
 AcceleratorConfig with_two_of_each(std::uint64_t cores) {
@@ -98,7 +98,7 @@ class Watch {
     std::map<std::tuple<std::size_t, std::size_t, std::size_t>, Tenant> tenants_;
 };
 
-/// In the simulation's process: what it throws, run_forked() throws.
+/// In the simulation's process: what it throws, test_run() throws.
 void watch_buffers(AcceleratorConfig const& config, std::size_t samples_per_core,
                    std::vector<recording::RecordedCore> const& cores) {
     Watch watch;
@@ -139,17 +139,17 @@ TEST_CASE("Engines and twin agree on double buffers: flow fpga_grip", "[double_b
 }
 
 TEST_CASE("Double buffers change no result, whatever is swept", "[double_buffers][sweep_region]") {
-    ForkOptions options;
+    TestRunOptions options;
     options.with_maps = true;
     for (std::uint64_t seed = 20400; seed < 20440; ++seed) {
         CAPTURE(seed);
         Trial trial = trial_of(seed);
         trial.config.edge_map.buffers = trial.config.inlier_unit.buffers = 2;
         Engine const engine = seed % 2 == 0 ? Engine::decoupled : Engine::lockstep;
-        ForkedRun const two = run(trial, engine, options);
+        TestRun const two = run(trial, engine, options);
         trial.config.edge_map.buffers = trial.config.inlier_unit.buffers = 1;
         trial.config.inlier_unit.sweep_region = SweepRegion::window;
-        ForkedRun const one = run(trial, engine, options);
+        TestRun const one = run(trial, engine, options);
         REQUIRE(two.statistics.samples.size() == one.statistics.samples.size());
         for (std::size_t i = 0; i < one.statistics.samples.size(); ++i) {
             CAPTURE(i);
@@ -172,8 +172,7 @@ TEST_CASE("Without triangles and with two of each, a further sample takes its sw
         for (int const samples : {1, 2, 3, 5}) {
             CAPTURE(engine, window, samples);
             auto const pixels = static_cast<Cycles>(window) * static_cast<Cycles>(window);
-            RunStatistics const run =
-                run_forked(with_two_of_each(1), empty_stimulus(window, samples), engine).statistics;
+            RunStatistics const run = test_run(with_two_of_each(1), empty_stimulus(window, samples), engine).statistics;
             CHECK(run.total_cycles == 4 * pixels + 16 + static_cast<Cycles>(samples - 1) * (3 * pixels + 7));
         }
 }
@@ -207,7 +206,7 @@ TEST_CASE("No two samples are in one buffer at once", "[double_buffers]") {
             trial.config.loop(id).depth = std::max<Cycles>(loop_of(trial.config, id).depth, 64);
         if (trial.stimulus.samples.size() < 4)
             continue;
-        ForkOptions options;
+        TestRunOptions options;
         std::size_t const samples = trial.stimulus.samples.size();
         recording::RecordingWindow window;
         if (seed % 3 != 0)  // buffers are taken up where they stand
@@ -225,7 +224,7 @@ TEST_CASE("The critical path adds up with double buffers, the same from both eng
     for (std::uint64_t seed = 20700; seed < 20740; ++seed) {
         CAPTURE(seed);
         Trial const trial = trial_of(seed);
-        ForkOptions options;
+        TestRunOptions options;
         options.critical_path = true;
         RunStatistics const decoupled = run(trial, Engine::decoupled, options).statistics;
         Cycles sum = 0;

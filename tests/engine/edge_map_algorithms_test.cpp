@@ -2,9 +2,9 @@
 #include <string>
 
 #include "faster/dataflow_names.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::edge_map_algorithms_test {
 
@@ -88,7 +88,7 @@ TEST_CASE("Without triangles inner_border takes 2 W^2 + W + 17 cycles", "[edge_m
         Cycles const next = 2 * side * side + side + 7;
         for (int const samples : {1, 2, 3}) {
             CAPTURE(engine, window, samples);
-            RunStatistics const run = run_forked(config, empty_stimulus(window, samples), engine).statistics;
+            RunStatistics const run = test_run(config, empty_stimulus(window, samples), engine).statistics;
             CHECK(run.total_cycles == first + static_cast<Cycles>(samples - 1) * next);
             CHECK(loop_of(run, LoopId::sweep).ii == 1);
             CHECK(loop_of(run, LoopId::sweep).port_conflict_cycles == 0);
@@ -100,8 +100,7 @@ TEST_CASE("Without triangles inner_border takes 2 W^2 + W + 17 cycles", "[edge_m
 TEST_CASE("Each token costs bounded a cycle of port conflict, and more than the two maps", "[edge_map]") {
     // The tokens of the triangle are O(1,1), E(1,2), O(2,1) and those of its other pixel: 5 in all, 3 of them objects.
     auto const token_loop = [](EdgeMapAlgorithm algorithm) {
-        return loop_of(run_forked(machine(algorithm), one_small_triangle(), Engine::lockstep).statistics,
-                       LoopId::token);
+        return loop_of(test_run(machine(algorithm), one_small_triangle(), Engine::lockstep).statistics, LoopId::token);
     };
     LoopStatistics const dual = token_loop(EdgeMapAlgorithm::dual_map);
     LoopStatistics const bounded = token_loop(EdgeMapAlgorithm::bounded);

@@ -17,13 +17,13 @@
 #include "dataflow/run/replay/tape_reader.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/run_cells.hpp"
 #include "support/small_stimulus.hpp"
 #include "support/spelled_out.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::events_test {
 
@@ -67,9 +67,9 @@ AcceleratorConfig configuration(std::uint64_t seed, AcceleratorConfig const& rec
 
 RunStatistics record(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
                      std::filesystem::path const& file) {
-    ForkOptions options;
+    TestRunOptions options;
     options.events = file;
-    return run_forked(config, stimulus, engine, options).statistics;
+    return test_run(config, stimulus, engine, options).statistics;
 }
 
 /// A configuration that certainly finishes, on as many cores as a random one.
@@ -207,7 +207,7 @@ TEST_CASE("What a recorded run would take is what a run takes, in every figure",
             std::uint64_t const seed = 10000 + 100 * number + i;
             CAPTURE(number, seed);
             AcceleratorConfig const config = configuration(seed, recorded);
-            RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
+            RunStatistics const run = test_run(config, stimulus, Engine::decoupled).statistics;
             {
                 INFO("without scripts");
                 check_equal(replay::retime_unscripted(scripted, raster_machine(config)), run);
@@ -245,7 +245,7 @@ TEST_CASE("Samples that are put into steps take what a run takes, whatever the d
             config.cores = random.cores;
             for (FifoId const id : fifo_ids)
                 config.fifo(id) = random.fifo(id);
-            RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
+            RunStatistics const run = test_run(config, stimulus, Engine::decoupled).statistics;
             check_equal(replay::retime(scripted, raster_machine(config), 1 + i % 2), run);
             deadlocks += run.deadlocked() ? 1U : 0U;
         }
@@ -264,7 +264,7 @@ TEST_CASE("A run that is recorded takes the time that it takes without", "[event
             std::uint64_t const seed = 20000 + 100 * number + i;
             CAPTURE(number, seed);
             AcceleratorConfig const config = configuration(seed, base);
-            RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
+            RunStatistics const run = test_run(config, stimulus, Engine::decoupled).statistics;
             check_equal(record(config, stimulus, Engine::decoupled, folder / "events"), run);
             deadlocks += run.deadlocked() ? 1U : 0U;
         }

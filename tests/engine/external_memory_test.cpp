@@ -7,11 +7,11 @@
 #include "dataflow/tools/recording/core_timeline.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/memory_trials.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::external_memory_test {
 
@@ -31,7 +31,7 @@ std::string text_of(SampleTimeline const& timeline) {
 /// Of every sample of a run, as it goes on.
 std::vector<std::string> timelines_of_run(AcceleratorConfig const& config, Stimulus const& stimulus) {
     test::TempFolder const folder;
-    ForkOptions fork;
+    TestRunOptions fork;
     for (std::size_t sample = 0; sample < stimulus.samples.size(); ++sample) {
         Recording recording;
         recording.window.samples = recording::RecordingWindow::Samples{sample, sample};
@@ -41,7 +41,7 @@ std::vector<std::string> timelines_of_run(AcceleratorConfig const& config, Stimu
         };
         fork.recordings.push_back(recording);
     }
-    REQUIRE_FALSE(run_forked(config, stimulus, Engine::decoupled, fork).statistics.deadlocked());
+    REQUIRE_FALSE(test_run(config, stimulus, Engine::decoupled, fork).statistics.deadlocked());
     std::vector<std::string> texts;
     for (std::size_t sample = 0; sample < stimulus.samples.size(); ++sample)
         texts.push_back(test::content_of(folder / std::to_string(sample)));
@@ -63,9 +63,9 @@ std::size_t check_replayed_timelines(std::uint64_t seed, MemoryModel model) {
     MemoryTrial trial = memory_trial(seed);
     trial.config.external_memory.model = model;
     test::TempFolder const folder;
-    ForkOptions fork;
+    TestRunOptions fork;
     fork.events = folder / "events";
-    if (run_forked(trial.config, trial.stimulus, Engine::decoupled, fork).statistics.deadlocked())
+    if (test_run(trial.config, trial.stimulus, Engine::decoupled, fork).statistics.deadlocked())
         return 0;
     events::EventFile const file = events::read_event_file(fork.events);
     for (AcceleratorConfig const& config : {trial.config, other_timing(seed, trial.config)})
@@ -114,13 +114,13 @@ TEST_CASE("A memory that nothing limits costs the engines what the page derives"
             stimulus.samples.assign(samples, SampleInput{2, 2, 0, 1});
             AcceleratorConfig axi = config;
             axi.external_memory.model = MemoryModel::axi;
-            Cycles const ideal = run_forked(config, stimulus, engine).statistics.total_cycles;
-            Cycles const usual = run_forked(axi, stimulus, engine).statistics.total_cycles;
+            Cycles const ideal = test_run(config, stimulus, engine).statistics.total_cycles;
+            Cycles const usual = test_run(axi, stimulus, engine).statistics.total_cycles;
             axi.external_memory.outstanding = 1000000;
             axi.external_memory.request_cycles = 0;
             axi.external_memory.read_latency_ns = 0;
             axi.external_memory.dram_gb_per_s = 1e6;
-            CHECK(run_forked(axi, stimulus, engine).statistics.total_cycles == ideal + (samples == 1 ? 5 : 8));
+            CHECK(test_run(axi, stimulus, engine).statistics.total_cycles == ideal + (samples == 1 ? 5 : 8));
             if (samples == 1)
                 CHECK(usual == ideal + 101);
         }

@@ -5,13 +5,13 @@
 #include "dataflow/run/replay/retime.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/run_cells.hpp"
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::fpga_grip_test {
 
@@ -88,7 +88,7 @@ TEST_CASE("Without triangles flow fpga_grip takes 3 W^2 + r (W + 1) + 99 cycles"
             auto const side = static_cast<Cycles>(window);
             Cycles const lead = 2 * (side + 1);
             Cycles const each = 3 * side * side + lead + 98;
-            RunStatistics const run = run_forked(fpga_grip(), empty_stimulus(window, samples), engine).statistics;
+            RunStatistics const run = test_run(fpga_grip(), empty_stimulus(window, samples), engine).statistics;
             CHECK(run.total_cycles == each + 1 + static_cast<Cycles>(samples - 1) * each);
             CHECK(loop_of(run, LoopId::extract).depth == 86);
             CHECK(loop_of(run, LoopId::extract).iterations == static_cast<Cycles>(samples) * (side * side + lead));
@@ -126,9 +126,9 @@ TEST_CASE("A recorded run of flow fpga_grip retimes to what a run takes", "[fpga
         CAPTURE(seed);
         Stimulus const stimulus = random_work(seed);
         AcceleratorConfig const config = random_machine(seed, stimulus, true);
-        ForkOptions options;
+        TestRunOptions options;
         options.events = folder / "events";
-        RunStatistics const run = run_forked(config, stimulus, Engine::decoupled, options).statistics;
+        RunStatistics const run = test_run(config, stimulus, Engine::decoupled, options).statistics;
         events::EventFile const file = events::read_event_file(folder / "events");
         CHECK(first_difference(all_cells(replay::retime(file.run, raster_machine(config))), all_cells(run)) == "");
         AcceleratorConfig changed = config;
@@ -136,20 +136,20 @@ TEST_CASE("A recorded run of flow fpga_grip retimes to what a run takes", "[fpga
         changed.fifo(FifoId::command).depth = fifo_of(config, FifoId::command).depth + 3;
         changed.loop(LoopId::extract).ii = testing::loop_of(config, LoopId::extract).ii + 1;
         CHECK(first_difference(all_cells(replay::retime(file.run, raster_machine(changed))),
-                               all_cells(run_forked(changed, stimulus, Engine::decoupled).statistics)) == "");
+                               all_cells(test_run(changed, stimulus, Engine::decoupled).statistics)) == "");
     }
 }
 
 TEST_CASE("The rows of the critical path of flow fpga_grip add up", "[fpga_grip][critical_path]") {
-    ForkOptions traced;
+    TestRunOptions traced;
     traced.critical_path = true;
     Cycles in_extraction = 0;
     for (std::uint64_t seed = 8400; seed < 8420; ++seed) {
         CAPTURE(seed);
         Stimulus const stimulus = random_work(seed);
         AcceleratorConfig const config = random_machine(seed, stimulus, true);
-        RunStatistics const run = run_forked(config, stimulus, Engine::decoupled, traced).statistics;
-        auto const lockstep = run_forked(config, stimulus, Engine::lockstep, traced).statistics;
+        RunStatistics const run = test_run(config, stimulus, Engine::decoupled, traced).statistics;
+        auto const lockstep = test_run(config, stimulus, Engine::lockstep, traced).statistics;
         Cycles sum = 0;
         for (PathRow const& row : run.critical_path.value().rows) {
             sum += row.cycles;

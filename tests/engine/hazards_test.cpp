@@ -6,24 +6,24 @@
 
 #include "dataflow/run/figures/table_rows.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/parts.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/recorded_accesses.hpp"
 #include "support/run_cells.hpp"
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::hazards_test {
 
 using Counts = std::vector<std::uint64_t>;
 using PerDistance = std::map<std::uint64_t, std::uint64_t>;
 
-ForkedRun run(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine = Engine::decoupled) {
-    ForkOptions options;
+TestRun run(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine = Engine::decoupled) {
+    TestRunOptions options;
     options.with_maps = true;
     options.hazards = true;
-    return run_forked(config, stimulus, engine, options);
+    return test_run(config, stimulus, engine, options);
 }
 
 DependenceRow row_of(RunStatistics const& run, std::string const& loop, std::string const& bram) {
@@ -161,11 +161,11 @@ TEST_CASE("Looking for hazards changes nothing, in either engine", "[hazards]") 
         AcceleratorConfig config = random_config(seed, machine);
         Stimulus const stimulus = random_stimulus(seed, work);
         adopt(stimulus, config);
-        ForkOptions options;
+        TestRunOptions options;
         options.with_maps = true;
-        ForkedRun const without = run_forked(config, stimulus, Engine::decoupled, options);
-        ForkedRun const decoupled = run(config, stimulus);
-        ForkedRun const lockstep = run(config, stimulus, Engine::lockstep);
+        TestRun const without = test_run(config, stimulus, Engine::decoupled, options);
+        TestRun const decoupled = run(config, stimulus);
+        TestRun const lockstep = run(config, stimulus, Engine::lockstep);
         CHECK(first_difference(all_cells(decoupled.statistics), all_cells(without.statistics)) == "");
         for (std::size_t i = 0; i < without.maps.size(); ++i) {
             CHECK(decoupled.maps[i].edge_map == without.maps[i].edge_map);
@@ -243,13 +243,13 @@ TEST_CASE("The addresses of a waveform have the same distances", "[hazards]") {
         config.dependence(std::string("edge_map_builder.token.") + name_of(bram)).write_stage = 19;  // span of 18
         Stimulus const stimulus = random_stimulus(seed, work);
         adopt(stimulus, config);
-        ForkOptions options;
+        TestRunOptions options;
         options.hazards = true;
         options.recordings.push_back({recording::RecordingWindow{}, [&](recording::RecordedWindow const& recorded) {
                                           note_distances(recorded.cores, bram, folder / "distances");
                                       }});
         DependenceRow const row =
-            row_of(run_forked(config, stimulus, Engine::decoupled, options).statistics, "token", name_of(bram));
+            row_of(test_run(config, stimulus, Engine::decoupled, options).statistics, "token", name_of(bram));
         PerDistance const expected = read_distances(folder / "distances");
         CAPTURE(seed, name_of(bram));
         CHECK(row.smallest == (expected.empty() ? 0 : expected.begin()->first));

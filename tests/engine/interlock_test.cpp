@@ -8,12 +8,12 @@
 #include "dataflow/run/figures/table_rows.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/parts.hpp"
 #include "support/random_memory.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::interlock_test {
 
@@ -43,7 +43,7 @@ AcceleratorConfig flattened() {
 /// Of the fragment loop, in a run on which both engines and the twin agree.
 Cycles waited(AcceleratorConfig const& config, Stimulus const& stimulus) {
     CHECK(check_agreement(config, stimulus));
-    RunStatistics const run = run_forked(config, stimulus, Engine::decoupled).statistics;
+    RunStatistics const run = test_run(config, stimulus, Engine::decoupled).statistics;
     return run.cores.at(0).loops.at(index_of(LoopId::fragment)).interlock_cycles;
 }
 
@@ -86,9 +86,9 @@ TEST_CASE("Waiting for writes is recurrence: of the loop, of its module, on the 
     config.dependence(depth_buffer).write_stage = 249;
     Cycles const expected = 9 * (250 - 2);
     CHECK(waited(config, same_pixel(10)) == expected);
-    ForkOptions options;
+    TestRunOptions options;
     options.critical_path = true;
-    RunStatistics const run = run_forked(config, same_pixel(10), Engine::decoupled, options).statistics;
+    RunStatistics const run = test_run(config, same_pixel(10), Engine::decoupled, options).statistics;
     CHECK(run.cores.at(0).loops.at(index_of(LoopId::fragment)).recurrence_cycles == expected);
     CHECK(run.cores.at(0).processes.at(index_of(ModuleId::inlier_unit))[CycleClass::recurrence] == expected);
     REQUIRE(run.critical_path.has_value());
@@ -161,7 +161,7 @@ TEST_CASE("Engines and twin agree on iterations that wait, seeds 35000 to 35119"
         CAPTURE(seed);
         Trial const one = trial(seed);
         deadlocks += check_agreement(one.config, one.stimulus) ? 0 : 1;
-        waiting += all_waited(run_forked(one.config, one.stimulus, Engine::decoupled).statistics) > 0 ? 1 : 0;
+        waiting += all_waited(test_run(one.config, one.stimulus, Engine::decoupled).statistics) > 0 ? 1 : 0;
     }
     CHECK(waiting > 30);
     CHECK(deadlocks > 2);
@@ -189,9 +189,9 @@ TEST_CASE("A recording knows who waits for whom with any other interval, depth o
     for (std::uint64_t seed = 36000; seed < 36060; ++seed) {
         CAPTURE(seed);
         Trial const one = trial(seed);
-        ForkOptions fork;
+        TestRunOptions fork;
         fork.events = folder / "events";
-        if (run_forked(one.config, one.stimulus, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep, fork)
+        if (test_run(one.config, one.stimulus, seed % 2 == 0 ? Engine::decoupled : Engine::lockstep, fork)
                 .statistics.deadlocked())
             continue;
         ++recorded;
@@ -209,12 +209,12 @@ TEST_CASE("Waiting changes neither distances nor maps", "[interlock]") {
     for (std::uint64_t seed = 37000; seed < 37024; ++seed) {
         CAPTURE(seed);
         Trial one = trial(seed);
-        ForkOptions options;
+        TestRunOptions options;
         options.with_maps = options.hazards = true;
-        ForkedRun const waiting_run = run_forked(one.config, one.stimulus, Engine::decoupled, options);
+        TestRun const waiting_run = test_run(one.config, one.stimulus, Engine::decoupled, options);
         for (char const* const name : {depth_buffer, object_map, edge_map})
             one.config.dependence(name).hazards = HazardHandling::report;
-        ForkedRun const stale = run_forked(one.config, one.stimulus, Engine::decoupled, options);
+        TestRun const stale = test_run(one.config, one.stimulus, Engine::decoupled, options);
         std::vector<DependenceRow> const rows = dependence_rows(waiting_run.statistics);
         std::vector<DependenceRow> const others = dependence_rows(stale.statistics);
         REQUIRE(rows.size() == others.size());

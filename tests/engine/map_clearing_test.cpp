@@ -3,9 +3,9 @@
 
 #include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::map_clearing_test {
 
@@ -56,7 +56,7 @@ TEST_CASE("Without triangles, line buffers and clearing on read-out take W^2 + W
         Cycles const sweep = side * side + side + 8;
         for (int const samples : {1, 2, 3}) {
             CAPTURE(engine, window, samples);
-            RunStatistics const run = run_forked(config, empty_stimulus(window, samples), engine).statistics;
+            RunStatistics const run = test_run(config, empty_stimulus(window, samples), engine).statistics;
             CHECK(run.total_cycles == sweep + 8 + static_cast<Cycles>(samples - 1) * (sweep + 4));
             CHECK(loop_of(run, LoopId::depth_clear).iterations == 0);
             CHECK(loop_of(run, LoopId::edge_clear).iterations == 0);
@@ -82,7 +82,7 @@ TEST_CASE("Without triangles, lanes divide the sweep of line buffers and clearin
             Cycles const wait = row < 3 ? 3 - row : 0;
             CAPTURE(engine, window, lanes);
             for (int const samples : {1, 3}) {
-                RunStatistics const run = run_forked(config, empty_stimulus(window, samples), engine).statistics;
+                RunStatistics const run = test_run(config, empty_stimulus(window, samples), engine).statistics;
                 CHECK(run.total_cycles == sweep + 8 + wait + static_cast<Cycles>(samples - 1) * (sweep + 4));
                 CHECK(run.cores.at(0).fifos[index_of(FifoId::edge_map)].writes ==
                       static_cast<Cycles>(samples) * side * row);
@@ -108,7 +108,7 @@ TEST_CASE("Lanes need banks, for themselves and for their neighbours", "[map_cle
 TEST_CASE("Wide clearing takes as long as the largest bank has words", "[map_clearing][partition]") {
     AcceleratorConfig config = machine(NeighbourAccess::direct, MapClearing::wide);
     auto const iterations = [&config] {
-        RunStatistics const run = run_forked(config, empty_stimulus(10, 2), Engine::decoupled).statistics;
+        RunStatistics const run = test_run(config, empty_stimulus(10, 2), Engine::decoupled).statistics;
         return std::pair{loop_of(run, LoopId::edge_clear).iterations, loop_of(run, LoopId::depth_clear).iterations};
     };
     config.window = 10;
@@ -123,12 +123,12 @@ TEST_CASE("Wide clearing takes as long as the largest bank has words", "[map_cle
 
 TEST_CASE("How maps are cleared and read changes no result", "[map_clearing]") {
     RunStatistics const plain =
-        run_forked(machine(NeighbourAccess::direct, MapClearing::loop), one_small_triangle(), Engine::decoupled)
+        test_run(machine(NeighbourAccess::direct, MapClearing::loop), one_small_triangle(), Engine::decoupled)
             .statistics;
     for (NeighbourAccess const access : {NeighbourAccess::direct, NeighbourAccess::window})
         for (MapClearing const clearing : {MapClearing::loop, MapClearing::on_read_out}) {
             RunStatistics const run =
-                run_forked(machine(access, clearing), one_small_triangle(), Engine::decoupled).statistics;
+                test_run(machine(access, clearing), one_small_triangle(), Engine::decoupled).statistics;
             CHECK(counters_of(run.samples.at(0)).inlier == counters_of(plain.samples.at(0)).inlier);
             CHECK(counters_of(run.samples.at(0)).edge_inlier == counters_of(plain.samples.at(0)).edge_inlier);
             CHECK(counters_of(run.samples.at(0)).valid_edge == counters_of(plain.samples.at(0)).valid_edge);

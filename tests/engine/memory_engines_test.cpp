@@ -3,9 +3,9 @@
 #include <random>
 
 #include "faster/dataflow_names.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::memory_engines_test {
 
@@ -39,8 +39,8 @@ bool check_seed(std::uint64_t seed, RandomConfigOptions const& options) {
     adopt(stimulus, config);
     std::mt19937_64 random(seed);
     draw_memory(random, config);
-    RunStatistics const lockstep = run_forked(config, stimulus, Engine::lockstep).statistics;
-    RunStatistics const decoupled = run_forked(config, stimulus, Engine::decoupled).statistics;
+    RunStatistics const lockstep = test_run(config, stimulus, Engine::lockstep).statistics;
+    RunStatistics const decoupled = test_run(config, stimulus, Engine::decoupled).statistics;
     CHECK(lockstep.deadlocked() == decoupled.deadlocked());
     CHECK(first_difference(all_cells(decoupled), all_cells(lockstep)) == "");
     CHECK(first_difference(stuck_cells(decoupled), stuck_cells(lockstep)) == "");

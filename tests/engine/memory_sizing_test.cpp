@@ -6,12 +6,12 @@
 #include "dataflow/tools/sizing/size_fifos.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/cheaper_choices.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_memory.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 // Sizing FIFOs of cores that share an external memory, where more room may make a run longer.
 
@@ -29,9 +29,9 @@ struct Case {
 
     Case(Stimulus of, AcceleratorConfig const& on) : stimulus(std::move(of)), config(on) {
         faster::test::TempFolder const folder;
-        faster::testing::ForkOptions options;
+        faster::testing::TestRunOptions options;
         options.events = folder / "events";
-        REQUIRE_FALSE(run_forked(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
+        REQUIRE_FALSE(test_run(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
         file = events::read_event_file(folder / "events");
         machine = faster::testing::raster_machine(config);
     }
@@ -180,7 +180,7 @@ TEST_CASE("A run with the depths found behind a shared memory takes as long, who
         MachineSettings const sized = with_choice(one.config, one.machine, sizing.answer.choice);
         for (faster::testing::FifoId const id : faster::testing::fifo_ids)
             config.fifo(id).depth = sized.fifo(id).depth;
-        RunStatistics const run = faster::testing::run_forked(config, one.stimulus, Engine::lockstep).statistics;
+        RunStatistics const run = faster::testing::test_run(config, one.stimulus, Engine::lockstep).statistics;
         CHECK(run.total_cycles == sizing.answer.total_cycles);
     }
 }

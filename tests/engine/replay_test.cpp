@@ -12,10 +12,10 @@
 #include "dataflow/run/replay/plain_reader.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::replay_test {
 
@@ -25,9 +25,9 @@ events::EventFile recorded_run(test::TempFolder const& folder, AcceleratorConfig
     RandomStimulusOptions options;
     options.samples = {samples, samples};
     options.triangles = {1, 12};
-    ForkOptions fork;
+    TestRunOptions fork;
     fork.events = folder / "events";
-    run_forked(config, random_stimulus(9400, options), Engine::decoupled, fork);
+    test_run(config, random_stimulus(9400, options), Engine::decoupled, fork);
     return events::read_event_file(fork.events);
 }
 

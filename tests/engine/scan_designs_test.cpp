@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 
 #include "faster/dataflow_names.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/parts.hpp"
 #include "support/small_stimulus.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::scan_designs_test {
 
@@ -34,7 +34,7 @@ TEST_CASE("Setups are waited for unless enough triangles are fetched ahead", "[s
         CAPTURE(engine, ahead);
         AcceleratorConfig config = with_cores(1);
         config.rasterizer.setup_overlap = ahead;
-        RunStatistics const run = run_forked(config, back_faces(faces), engine).statistics;
+        RunStatistics const run = test_run(config, back_faces(faces), engine).statistics;
         Cycles const first_wait = ahead >= 5 ? 0 : 15 - 3 * ahead;
         Cycles const rounds = (faces - 1) / ahead;
         CHECK(setup_cycles_of(run) == first_wait * (1 + rounds));
@@ -45,9 +45,9 @@ TEST_CASE("Setups are waited for unless enough triangles are fetched ahead", "[s
 
 TEST_CASE("Without overlap every triangle's setup is waited for, and spans divide", "[scan_designs]") {
     AcceleratorConfig config = with_cores(1);
-    CHECK(setup_cycles_of(run_forked(config, back_faces(20), Engine::decoupled).statistics) == 20 * 12);
+    CHECK(setup_cycles_of(test_run(config, back_faces(20), Engine::decoupled).statistics) == 20 * 12);
     config.rasterizer.scan = ScanPolicy::spans;
-    CHECK(setup_cycles_of(run_forked(config, back_faces(20), Engine::decoupled).statistics) == 20 * (12 + 18));
+    CHECK(setup_cycles_of(test_run(config, back_faces(20), Engine::decoupled).statistics) == 20 * (12 + 18));
 }
 
 TEST_CASE("The loops of a small triangle", "[scan_designs]") {
@@ -56,7 +56,7 @@ TEST_CASE("The loops of a small triangle", "[scan_designs]") {
     Engine const engine = GENERATE(Engine::lockstep, Engine::decoupled);
     CAPTURE(engine);
     auto const iterations = [engine](AcceleratorConfig const& config, LoopId loop) {
-        return loop_of(run_forked(config, one_small_triangle(), engine).statistics, loop).iterations;
+        return loop_of(test_run(config, one_small_triangle(), engine).statistics, loop).iterations;
     };
     AcceleratorConfig config = with_cores(1);
     CHECK(iterations(config, LoopId::scan) == 6);
@@ -79,7 +79,7 @@ TEST_CASE("The loops of a small triangle with lanes", "[scan_designs][lanes]") {
     config.rasterizer.edge_tokens = EdgeTokens::object;
     auto const loops = [&](int lanes) {
         config.rasterizer.lanes = lanes;
-        return run_forked(config, one_small_triangle(), engine).statistics;
+        return test_run(config, one_small_triangle(), engine).statistics;
     };
     RunStatistics const two = loops(2);  // 1 | 2, 3 and back
     CHECK(loop_of(two, LoopId::scan).iterations == 4);
@@ -110,9 +110,9 @@ TEST_CASE("One loop over all fragments saves draining it for each triangle", "[s
     Stimulus stimulus = one_small_triangle();
     stimulus.triangles.assign(100, stimulus.triangles[0]);
     stimulus.samples[0].triangle_count = 100;
-    Cycles const drained = run_forked(config, stimulus, Engine::decoupled).statistics.total_cycles;
+    Cycles const drained = test_run(config, stimulus, Engine::decoupled).statistics.total_cycles;
     config.inlier_unit.fragment_loop = FragmentLoop::flattened;
-    Cycles const flattened = run_forked(config, stimulus, Engine::decoupled).statistics.total_cycles;
+    Cycles const flattened = test_run(config, stimulus, Engine::decoupled).statistics.total_cycles;
     // Per triangle: a step of its own and three fragments with nine stages behind them, against four iterations. From
     // then on the scan sets the pace: an iteration to announce the triangle, and six.
     CHECK(drained - flattened > 99 * (1 + 2 + 10 - 7) - 40);

@@ -5,10 +5,10 @@
 #include "dataflow/run/config/keys.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/parts.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::sensitivities_test {
 
@@ -44,16 +44,16 @@ void check_step(Trial const& trial, Cycles total, Key const& key, std::int64_t v
     CAPTURE(key.name(), value);
     RunConfig changed = run_config(trial.config);
     key.write(changed, KeyValue{value});
-    RunStatistics const run = run_forked(accelerator_of(changed), trial.stimulus, Engine::decoupled).statistics;
+    RunStatistics const run = test_run(accelerator_of(changed), trial.stimulus, Engine::decoupled).statistics;
     REQUIRE(step.deadlocks == run.deadlocked());
     CHECK(step.total_cycles == (run.deadlocked() ? 0 : run.total_cycles));
     changes += run.deadlocked() || run.total_cycles != total ? 1U : 0U;
 }
 
 std::size_t check_all_steps(Trial const& trial, Engine engine) {
-    ForkOptions options;
+    TestRunOptions options;
     options.sensitivities = true;
-    RunStatistics const run = run_forked(trial.config, trial.stimulus, engine, options).statistics;
+    RunStatistics const run = test_run(trial.config, trial.stimulus, engine, options).statistics;
     Keys const keys = timing_keys(run_config(trial.config));
     REQUIRE(run.sensitivities.size() == keys.size());
     std::size_t changes = 0;
@@ -111,16 +111,16 @@ TEST_CASE("The FIFOs of other generations change the total as a run with them sa
     for (std::uint64_t seed = 8040; seed < 8052; ++seed) {
         CAPTURE(seed);
         Trial trial = random_trial(seed);
-        ForkOptions options;
+        TestRunOptions options;
         options.sensitivities = true;
-        RunStatistics const run = run_forked(trial.config, trial.stimulus, Engine::decoupled, options).statistics;
+        RunStatistics const run = test_run(trial.config, trial.stimulus, Engine::decoupled, options).statistics;
         for (Alternative const& row : run.alternatives) {
             CAPTURE(row.value, row.other);
             CHECK(row.key == "accelerator.fifo_rules");
             CHECK(row.value == choice_name(trial.config.fifo_rules));
             Trial changed = trial;
             changed.config.fifo_rules = choice_from_name<FifoGeneration>(row.other);
-            RunStatistics const other = run_forked(changed.config, trial.stimulus, Engine::lockstep).statistics;
+            RunStatistics const other = test_run(changed.config, trial.stimulus, Engine::lockstep).statistics;
             REQUIRE(row.step.deadlocks == other.deadlocked());
             CHECK(row.step.total_cycles == (other.deadlocked() ? 0 : other.total_cycles));
             changes += other.deadlocked() || other.total_cycles != run.total_cycles ? 1U : 0U;
@@ -136,11 +136,11 @@ TEST_CASE("FIFOs of depth 2 are the same in every generation", "[sensitivities]"
     for (FifoGeneration const rules : {FifoGeneration::spec, FifoGeneration::vivado_hls, FifoGeneration::vitis_hls}) {
         trial.config = AcceleratorConfig();
         trial.config.cores = 2;
-        RunStatistics const as_in_spec = run_forked(trial.config, trial.stimulus, Engine::decoupled).statistics;
+        RunStatistics const as_in_spec = test_run(trial.config, trial.stimulus, Engine::decoupled).statistics;
         trial.config.fifo_rules = rules;
-        ForkOptions options;
+        TestRunOptions options;
         options.sensitivities = true;
-        RunStatistics const run = run_forked(trial.config, trial.stimulus, Engine::decoupled, options).statistics;
+        RunStatistics const run = test_run(trial.config, trial.stimulus, Engine::decoupled, options).statistics;
         CHECK(first_difference(all_cells(run), all_cells(as_in_spec)) == "");
         CHECK(run.alternatives.empty());
     }
@@ -151,11 +151,11 @@ TEST_CASE("Steps that deadlock are known", "[sensitivities]") {
     trial.config = AcceleratorConfig();
     trial.config.cores = 2;
     check_all_steps(trial, Engine::decoupled);
-    ForkOptions options;
+    TestRunOptions options;
     options.sensitivities = true;
     std::size_t deadlocks = 0;
     for (Sensitivity const& row :
-         run_forked(trial.config, trial.stimulus, Engine::decoupled, options).statistics.sensitivities)
+         test_run(trial.config, trial.stimulus, Engine::decoupled, options).statistics.sensitivities)
         deadlocks += row.down.deadlocks ? 1U : 0U;
     CHECK(deadlocks >= 2);  // fragment_depth and fragment_index of depth 1
 }

@@ -8,12 +8,12 @@
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/cheaper_choices.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace dataflow::sizing::sizing_test {
 using namespace faster;
@@ -32,9 +32,9 @@ struct Case {
 
     Case(Stimulus of, AcceleratorConfig on) : stimulus(std::move(of)), config(std::move(on)) {
         faster::test::TempFolder const folder;
-        faster::testing::ForkOptions options;
+        faster::testing::TestRunOptions options;
         options.events = folder / "events";
-        REQUIRE_FALSE(run_forked(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
+        REQUIRE_FALSE(test_run(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
         file = events::read_event_file(folder / "events");
         config = accelerator_of(file.loaded.config);
         machine = faster::testing::raster_machine(config);
@@ -272,7 +272,7 @@ TEST_CASE("Any one FIFO of an answer shallower breaks the bound, and a run takes
         MachineSettings const sized = with_choice(one.config, one.machine, sizing.answer.choice);
         for (FifoId const id : fifo_ids)
             config.fifo(id).depth = sized.fifo(id).depth;  // not the kind: auto is decided by the depth
-        RunStatistics const run = faster::testing::run_forked(config, one.stimulus, Engine::decoupled).statistics;
+        RunStatistics const run = faster::testing::test_run(config, one.stimulus, Engine::decoupled).statistics;
         REQUIRE_FALSE(run.deadlocked());
         CHECK(run.total_cycles == sizing.answer.total_cycles);
     }

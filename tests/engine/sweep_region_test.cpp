@@ -3,10 +3,10 @@
 #include "faster/dataflow_names.hpp"
 #include "support/counters.hpp"
 #include "support/engine_agreement.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/small_stimulus.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::sweep_region_test {
 
@@ -25,7 +25,7 @@ LoopStatistics const& loop_of(RunStatistics const& run, LoopId id) { return run.
 FifoStatistics const& fifo_of(RunStatistics const& run, FifoId id) { return run.cores.at(0).fifos[index_of(id)]; }
 
 RunStatistics run_of(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine = Engine::decoupled) {
-    return run_forked(config, stimulus, engine).statistics;
+    return test_run(config, stimulus, engine).statistics;
 }
 
 /// That of one_small_triangle(), in a corner of a larger window.
@@ -85,10 +85,10 @@ TEST_CASE("Results do not depend on the swept region, whatever the machine", "[s
         AcceleratorConfig config = random_config(seed, machine);
         config.window = stimulus.window;
         config.inlier_unit.sweep_region = SweepRegion::touched;
-        RunStatistics const touched = run_forked(config, stimulus, Engine::decoupled).statistics;
+        RunStatistics const touched = test_run(config, stimulus, Engine::decoupled).statistics;
         config.inlier_unit.sweep_region = SweepRegion::window;
         config.edge_map.buffers = config.inlier_unit.buffers = 1;
-        RunStatistics const window = run_forked(config, stimulus, Engine::decoupled).statistics;
+        RunStatistics const window = test_run(config, stimulus, Engine::decoupled).statistics;
         REQUIRE(window.samples.size() == touched.samples.size());
         for (std::size_t i = 0; i < window.samples.size(); ++i)
             CHECK(window.samples[i].counters == touched.samples[i].counters);

@@ -5,9 +5,9 @@
 
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/build_stimulus.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/run_cells.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::engines_on_meshes_test {
 
@@ -22,8 +22,8 @@ Stimulus scene_of(std::string const& object, std::uint64_t samples) {
 }
 
 void check_engines(AcceleratorConfig const& config, Stimulus const& stimulus) {
-    RunStatistics const decoupled = run_forked(config, stimulus, Engine::decoupled).statistics;
-    RunStatistics const lockstep = run_forked(config, stimulus, Engine::lockstep).statistics;
+    RunStatistics const decoupled = test_run(config, stimulus, Engine::decoupled).statistics;
+    RunStatistics const lockstep = test_run(config, stimulus, Engine::lockstep).statistics;
     REQUIRE_FALSE(lockstep.deadlocked());
     CHECK(first_difference(all_cells(decoupled), all_cells(lockstep)) == "");
 }

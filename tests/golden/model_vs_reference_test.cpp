@@ -16,8 +16,8 @@
 #include "faster/workload/models/builtin_models.hpp"
 #include "faster/workload/object_mesh.hpp"
 #include "support/counters.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing::model_vs_reference_test {
 
@@ -98,7 +98,7 @@ template <class Pixel> std::string first_difference(Image<Pixel> const& model, I
 
 /// Returns the sum of the reference's valid_raster, so that a caller can tell that something was drawn.
 std::uint64_t check_model(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine) {
-    ForkedRun const run = run_forked(config, stimulus, engine, {true});
+    TestRun const run = test_run(config, stimulus, engine, {true});
     REQUIRE_FALSE(run.statistics.deadlocked());
     REQUIRE(run.statistics.samples.size() == stimulus.samples.size());
     REQUIRE(run.maps.size() == stimulus.samples.size());

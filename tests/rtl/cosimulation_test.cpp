@@ -8,11 +8,11 @@
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/trace.hpp"
 #include "support/command.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/raster_machine.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 #include "tb/cosim/comparison.hpp"
 
 namespace faster::testing::cosimulation_test {
@@ -23,7 +23,7 @@ std::string const source = FASTER_SOURCE_DIR;
 std::string difference(AcceleratorConfig const& config, rtl::TwinSettings const& settings, Stimulus const& stimulus) {
     std::string const unequal = "differs in cycle ";
     rtl::KeptMaps maps;
-    ForkOptions options;
+    TestRunOptions options;
     options.probe = &maps;
     auto const compare = [&](recording::RecordedWindow const& window) {
         for (recording::RecordedCore const& core : window.cores) {
@@ -35,7 +35,7 @@ std::string difference(AcceleratorConfig const& config, rtl::TwinSettings const&
     };
     options.recordings.push_back({{}, compare});
     try {
-        run_forked(config, stimulus, Engine::decoupled, options);
+        test_run(config, stimulus, Engine::decoupled, options);
     } catch (std::runtime_error const& error) {
         std::string const what = error.what();
         if (what.find(unequal) == std::string::npos)
@@ -55,11 +55,10 @@ std::string difference(AcceleratorConfig const& config, AcceleratorConfig const&
 
 /// As the model reports them.
 std::uint64_t hazards_of(AcceleratorConfig const& config, Stimulus const& stimulus) {
-    ForkOptions options;
+    TestRunOptions options;
     options.hazards = true;
     std::uint64_t hazards = 0;
-    for (DependenceRow const& row :
-         dependence_sums(run_forked(config, stimulus, Engine::decoupled, options).statistics))
+    for (DependenceRow const& row : dependence_sums(test_run(config, stimulus, Engine::decoupled, options).statistics))
         hazards += row.hazards();
     return hazards;
 }

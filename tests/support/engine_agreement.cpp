@@ -6,9 +6,9 @@
 #include "dataflow/run/replay/retime.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/cycle_twin.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/raster_machine.hpp"
 #include "support/run_cells.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing {
 namespace {
@@ -58,8 +58,8 @@ void check_deadlock(Trial const& trial) {
 }  // namespace
 
 bool check_agreement(AcceleratorConfig const& config, Stimulus const& stimulus) {
-    Trial const trial{run_twin(config, stimulus), run_forked(config, stimulus, Engine::lockstep).statistics,
-                      run_forked(config, stimulus, Engine::decoupled).statistics};
+    Trial const trial{run_twin(config, stimulus), test_run(config, stimulus, Engine::lockstep).statistics,
+                      test_run(config, stimulus, Engine::decoupled).statistics};
     check_deadlock(trial);
     CHECK(first_difference(all_cells(trial.decoupled), all_cells(trial.lockstep)) == "");
     if (trial.twin.deadlock)
@@ -74,7 +74,7 @@ RunStatistics check_retiming(replay::RecordedRun const& recorded, AcceleratorCon
                              Stimulus const& stimulus) {
     Machine const machine = raster_machine(config);
     RunStatistics const retimed = replay::retime(replay::ScriptedRun(recorded), machine);
-    RunStatistics run = run_forked(config, stimulus, Engine::lockstep).statistics;
+    RunStatistics run = test_run(config, stimulus, Engine::lockstep).statistics;
     CHECK(retimed.deadlocked() == run.deadlocked());
     if (!run.deadlocked())
         CHECK(first_difference(all_cells(retimed), all_cells(run)) == "");

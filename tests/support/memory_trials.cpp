@@ -7,11 +7,11 @@
 #include "dataflow/run/events/event_file.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/engine_agreement.hpp"
-#include "support/forked_simulation.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_memory.hpp"
 #include "support/random_stimulus.hpp"
 #include "support/temp_folder.hpp"
+#include "support/test_run.hpp"
 
 namespace faster::testing {
 namespace {
@@ -70,9 +70,9 @@ int check_memory_retimings(std::uint64_t first, std::uint64_t count) {
         CAPTURE(seed);
         MemoryTrial const trial = memory_trial(seed);
         test::TempFolder const folder;
-        ForkOptions fork;
+        TestRunOptions fork;
         fork.events = folder / "events";
-        if (run_forked(trial.config, trial.stimulus, Engine::decoupled, fork).statistics.deadlocked())
+        if (test_run(trial.config, trial.stimulus, Engine::decoupled, fork).statistics.deadlocked())
             continue;
         ++recorded;
         events::EventFile const file = events::read_event_file(fork.events);

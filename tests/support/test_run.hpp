@@ -11,25 +11,24 @@
 
 namespace faster::testing {
 
-struct ForkedRun {
+struct TestRun {
     RunStatistics statistics;
     std::vector<SampleMaps> maps;  ///< one per sample if asked for, else empty; of a deadlocked run some are empty
 };
 
-struct ForkOptions {
+struct TestRunOptions {
     bool with_maps = false;
     bool critical_path = false;
     bool sensitivities = false;
     bool hazards = false;
     std::filesystem::path events{};  ///< event file to be written, unless the run deadlocks; empty: none
     std::size_t trail_length = timing::Trail::usual_length;
-    std::vector<Recording> recordings{};  ///< handed over in the child: they can tell by throwing
-    SampleProbe* probe = nullptr;         ///< sees the maps in the child, instead of with_maps; may be null
+    std::vector<Recording> recordings{};
+    SampleProbe* probe = nullptr;  ///< sees the maps, instead of with_maps; may be null
 };
 
-/// simulate() in a child process, because the SystemC kernel elaborates once per process. Throws std::runtime_error
-/// with the reason if the child throws, crashes or takes longer than two minutes.
-ForkedRun run_forked(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
-                     ForkOptions const& options = {});
+/// simulate() with a kernel of its own, so that a test can run as many designs as it wants.
+TestRun test_run(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
+                 TestRunOptions const& options = {});
 
 }  // namespace faster::testing

@@ -151,6 +151,7 @@ void ProcessClock::attempt_later(FifoChannel const& fifo, timing::Ports port,
                          " later in an iteration, expected that in the body of a pipeline()");
     require_once(port);
     attempted_ = attempted_ | port;
+    note_end(port);
     std::uint64_t const step = reached_ + step_of(port.first());
     put_off(
         step, [step, attempt = std::move(attempt)] { attempt(step); }, timing::no_ports);

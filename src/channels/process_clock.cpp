@@ -219,12 +219,13 @@ void ProcessClock::close_loop() {
         drain();
     leave_loop();
     take_before(all_steps);
-    is_held_ = is_pipelining_ = is_plain_ = makes_attempts_ = false;
+    is_held_ = is_pipelining_ = is_plain_ = makes_attempts_ = decides_trip_count_ = false;
     sound_ = {};
     follow();
 }
 
 void ProcessClock::later(FifoChannel const& fifo, std::function<void()> taking) {
+    note_end(fifo.read_port());
     Cycles const stage = fifo.timing().shape().read_stage;
     if (!is_held_ || stage == 0) {
         if (collecting_)
@@ -233,6 +234,12 @@ void ProcessClock::later(FifoChannel const& fifo, std::function<void()> taking) 
         return;
     }
     put_off(step_of_read(fifo), std::move(taking), fifo.read_port());
+}
+
+/// What is taken later may be what ends the loop.
+void ProcessClock::note_end(timing::Ports port) {
+    if (decides_trip_count_)
+        timing_.notes(pipelined_).ends = timing_.notes(pipelined_).ends | port;
 }
 
 /// Of the iteration at hand.

@@ -56,7 +56,9 @@ class ProcessClock {
     /// module may do many at once. They read in stage 0: in lockstep, time passes before a later one.
     bool reads_first(unsigned loop) const;
     /// The module reads these before anything else that an iteration does: a recording of it keeps that.
-    void note_first_reads(unsigned loop, timing::Ports ports) { timing_.note_first_reads(loop, ports); }
+    void note_first_reads(unsigned loop, timing::Ports ports) {
+        timing_.notes(loop).first = timing_.notes(loop).first | ports;
+    }
     /// Errors: InputError if an iteration that accesses `others` may not access `port` as well: it is one of them, or
     /// the loop does not name it.
     void require_access(unsigned loop, timing::Ports others, timing::Ports port) const;
@@ -205,6 +207,7 @@ class ProcessClock {
     template <class Body>
     void pipeline_while(std::string_view loop_name, Body body, SourceSite site = SourceSite::here()) {
         open_loop(loop_to_run(loop_name), site);
+        decides_trip_count_ = true;
         bool goes_on = true;
         for (std::uint64_t i = 0; goes_on; ++i) {
             open_iteration(i);
@@ -473,6 +476,7 @@ class ProcessClock {
     void require_attempts(FifoChannel const& fifo, timing::Ports port) const;
     static timing::Ports write_port_of(FifoChannel const& fifo);
     void later(FifoChannel const& fifo, std::function<void()> taking);
+    void note_end(timing::Ports port);
     std::uint64_t step_of_read(FifoChannel const& fifo) const;
     void put_off(std::uint64_t step, std::function<void()> taking, timing::Ports reads);
     FifoChannel& channel_of(std::size_t fifo) const;
@@ -524,11 +528,12 @@ class ProcessClock {
     timing::Ports taken_;     // read by plain ports in the step or iteration at hand
     bool is_in_tokens_body_ = false;
     bool is_pipelining_ = false;
-    bool is_plain_ = false;      // it has nothing to do between its iterations but to tell of them, in one log
-    bool may_wait_ = false;      // its iterations may have to wait for writes of others
-    bool has_waited_ = false;    // the module has told what the one at hand waits for
-    bool is_held_ = false;       // in lockstep, the process goes no further than the module has got,
-    std::uint64_t reached_ = 0;  // which is this step
+    bool decides_trip_count_ = false;  // the module, as it goes
+    bool is_plain_ = false;            // it has nothing to do between its iterations but to tell of them, in one log
+    bool may_wait_ = false;            // its iterations may have to wait for writes of others
+    bool has_waited_ = false;          // the module has told what the one at hand waits for
+    bool is_held_ = false;             // in lockstep, the process goes no further than the module has got,
+    std::uint64_t reached_ = 0;        // which is this step
 
     // If it makes attempts, it tells of an iteration when that, and all that is done beside it, is over.
     bool makes_attempts_ = false;

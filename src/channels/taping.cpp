@@ -95,7 +95,9 @@ void Taping::note_sites() {
         for (timing::ProcessTiming const& process : core->timing().processes()) {
             timing::ProcessTiming& noted = run_.blueprint->process(process.index());
             for (unsigned i = 0; i < process.loops().size(); ++i) {
-                noted.note_first_reads(i, process.first_reads(i));
+                timing::LoopNotes& notes = noted.notes(i);
+                notes.first = notes.first | process.notes(i).first;
+                notes.ends = notes.ends | process.notes(i).ends;
                 if (noted.loop_site(i).line == 0 && process.loop_site(i).line > 0)
                     noted.note_loop_site(i, process.loop_site(i));
             }

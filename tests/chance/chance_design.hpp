@@ -82,6 +82,9 @@ struct Process {
     std::vector<Segment> program;  ///< of every sample that is not idle
     bool takes_early = false;      ///< reads by plain ports where that is allowed
     bool tries_early = false;      ///< in the body of an iteration, where that is allowed
+
+    /// Its loops go on until the module says otherwise, which might be by what they access late.
+    bool decides_trip_counts() const { return ends.size() % 4 == 3; }
 };
 
 struct Design {

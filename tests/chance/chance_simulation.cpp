@@ -164,7 +164,7 @@ class ChanceModule : public SampleModule {
     void use(std::size_t number, Token& token) { token = next_[number]++; }
     void do_iterations(Segment const& segment) {
         unsigned const loop = clock_.loop(process().loops[segment.loop].name);
-        clock_.pipeline(process().loops[segment.loop].name, segment.iterations.size(), [&](std::uint64_t i) {
+        auto const body = [&](std::uint64_t i) {
             if (segment.is_at_memory(i))
                 clock_.access_memory();
             for (std::size_t const one : segment.iterations[i])
@@ -175,7 +175,16 @@ class ChanceModule : public SampleModule {
                 else
                     clock_.take_later(fifo(one), [this, one](Token token) { take(one, token); });
             make_attempts(segment.iterations[i], loop);
-        });
+        };
+        std::string const& name = process().loops[segment.loop].name;
+        std::uint64_t const count = segment.iterations.size();
+        if (count > 0 && process().decides_trip_counts())
+            clock_.pipeline_while(name, [&](std::uint64_t i) {
+                body(i);
+                return i + 1 < count;
+            });
+        else
+            clock_.pipeline(name, count, body);
     }
     void make_attempts(Accesses accesses, unsigned loop) {
         std::stable_sort(accesses.begin(), accesses.end(), [this](std::size_t one, std::size_t other) {
@@ -268,15 +277,14 @@ SimpleSimulation<ChanceCore> const& simulation() {
 }
 
 /// Written and read back.
-Figures figures_from_file(LoadedConfig const& loaded, replay::RecordedRun const& recorded, RunStatistics const& run) {
+events::EventFile by_file(LoadedConfig const& loaded, replay::RecordedRun const& recorded, RunStatistics const& run) {
     auto const file =
         std::filesystem::temp_directory_path() / ("faster_chance_" + std::to_string(getpid()) + ".events");
     events::write_event_file(io::OutputFile(file), loaded.config, recorded, run,
                              report::summary_json(resolved_keys(loaded.config), run, {}));
-    events::EventFile const read = events::read_event_file(file);
-    Figures figures = figures_of(replay::retime(read.run, machine_of(read.loaded.config)));
+    events::EventFile read = events::read_event_file(file);
     std::filesystem::remove(file);
-    return figures;
+    return read;
 }
 
 /// As if many more retimings were to come.
@@ -339,8 +347,13 @@ void run_here(Design const& design, Design const& other, bool sizes, Outcome& ou
             throw std::logic_error("tokens are left: " + left);
         if (outcome.is_recorded && !run.deadlocked()) {
             outcome.as_is = figures_of(retime_ready(recorded, *made.machine));
-            outcome.from_file = figures_from_file(made.loaded, recorded, run);
+            events::EventFile const read = by_file(made.loaded, recorded, run);
+            outcome.from_file = figures_of(replay::retime(read.run, machine_of(read.loaded.config)));
             retime_as(other, recorded, outcome);
+            Outcome by_its_file;
+            retime_as(other, read.run, by_its_file);
+            if (by_its_file.refusal != outcome.refusal || by_its_file.other.lines != outcome.other.lines)
+                throw std::logic_error("retimed from its event file it does something else");
             if (sizes)
                 outcome.sized = size(design, recorded, made.loaded.config);
         }

@@ -119,8 +119,7 @@ void MemorySystem::settle(std::size_t core, ProcessMask woken) {
     } while (woken != 0);
 }
 
-/// What comes of what was served is not before the process goes on that waits for it. Returns from when on its core
-/// may.
+/// What comes of what was served is not before the process goes on that waits for it. Returns from when on it may.
 Cycles MemorySystem::wake(Served const& served) {
     if (served.first_readable == MemoryMaster::never)
         return MemoryMaster::never;

@@ -29,8 +29,7 @@ class FifoTiming {
     Cycles empty_stall_cycles() const { return empty_stall_cycles_; }
 
     bool is_unlimited() const { return shape_.is_unlimited(); }
-    /// Of an unlimited FIFO, whose writer has got ahead of its reader as far as cycles can be kept: makes room for
-    /// more.
+    /// Makes room for more cycles: of an unlimited FIFO, whose writer is ahead of its reader by all that is kept.
     void keep_more();
 
     /// Number of further writes (reads) whose earliest legal cycle is known by now.

@@ -11,8 +11,7 @@ namespace dataflow::timing {
 ProcessTiming::ProcessTiming(std::string name, unsigned index, std::shared_ptr<ProcessShape> shape)
     : Rules(std::move(shape), index), name_(std::move(name)) {
     figures_.loops.resize(loops().size());
-    loop_sites_.resize(loops().size());
-    first_reads_.resize(loops().size());
+    notes_.resize(loops().size());
 }
 
 unsigned ProcessTiming::add_port(FifoTiming& fifo, bool writes) {
@@ -40,8 +39,7 @@ unsigned ProcessTiming::add_loop(LoopShape shape) {
     shape_->has_interlocks = shape_->has_interlocks || !shape.interlock_spans.empty();
     shape_->loops.push_back(std::move(shape));
     figures_.loops.emplace_back();
-    loop_sites_.emplace_back();
-    first_reads_.emplace_back();
+    notes_.emplace_back();
     return static_cast<unsigned>(loops().size() - 1);
 }
 
@@ -310,9 +308,8 @@ void ProcessTiming::take_state(ProcessTiming const& other) {
         be_in_loop(state_.loop + 1);
     log_ = other.log_;
     figures_ = other.figures_;
-    loop_sites_ = other.loop_sites_;
     port_sites_ = other.port_sites_;
-    first_reads_ = other.first_reads_;
+    notes_ = other.notes_;
     arrival_ = other.arrival_;
     charged_until_ = other.charged_until_;
     starving_port_ = other.starving_port_;
@@ -348,7 +345,7 @@ SourceSite ProcessTiming::site_at_hand(unsigned port) const {
                              : told.kind() == Kind::step && Ports(told.ports()).has(port);
         });
     if (in_loop())
-        return loop_sites_[state_.loop].of(static_cast<std::uint64_t>(pending) + 1);
+        return notes_[state_.loop].sites.of(static_cast<std::uint64_t>(pending) + 1);
     bool const is_flushed = flushes() && port == shape_->flushing_port;
     if (log_.exhausted() && !is_flushed)
         return starving_site_;

@@ -48,6 +48,13 @@ struct ProcessPort {
     ProcessMask neighbour = 0;  ///< the process at the other end, as a bit
 };
 
+/// What is known of a loop's module.
+struct LoopNotes {
+    AccessSites sites;  ///< where it enters the loop
+    Ports first;        ///< it reads them as the first thing of an iteration, and does nothing else until then
+    Ports ends;         ///< it takes what they read later, and goes on until it says otherwise
+};
+
 /// What happened in one process of a core.
 struct ProcessFigures {
     Cycles empty_stall_cycles = 0;
@@ -251,16 +258,15 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     /// Where the process is, for people: "scan, iteration 12".
     std::string position() const;
     /// Where in the source a loop begins, and where a port is accessed outside loops.
-    void note_loop_site(unsigned loop, SourceSite const& site) { loop_sites_[loop].note(site); }
+    void note_loop_site(unsigned loop, SourceSite const& site) { notes_[loop].sites.note(site); }
     void note_site(unsigned port, SourceSite const& site) { port_sites_[port].note(site); }
-    SourceSite loop_site(unsigned loop) const { return loop_sites_[loop].first(); }
+    SourceSite loop_site(unsigned loop) const { return notes_[loop].sites.first(); }
     SourceSite port_site(unsigned port) const { return port_sites_[port].first(); }
     /// Of what the process is at, which waits for a port.
     SourceSite site_at_hand(unsigned port) const;
-    /// Ports that the module reads as the first thing of an iteration: until it has the token it does nothing else.
-    void note_first_reads(unsigned loop, Ports ports) { first_reads_[loop] = first_reads_[loop] | ports; }
-    Ports first_reads(unsigned loop) const { return first_reads_[loop]; }
-    /// Throws InputError if such a read is in a later stage than other accesses of the loop.
+    LoopNotes& notes(unsigned loop) { return notes_[loop]; }
+    LoopNotes const& notes(unsigned loop) const { return notes_[loop]; }
+    /// Throws InputError if what is read as the first thing is in a later stage than other accesses of the loop.
     void require_first(unsigned loop, unsigned port) const;
 
     /// Whether an attempt finds room, or a token, now. All that happens before has been told.
@@ -346,9 +352,8 @@ class ProcessTiming : private BulkRuns<ProcessTiming, ProcessPort> {
     ProcessFigures figures_;
     bool is_taped_ = false;
     std::vector<OperationLog*> tapes_;
-    std::vector<AccessSites> loop_sites_;
     std::vector<AccessSites> port_sites_;
-    std::vector<Ports> first_reads_;  ///< by loop
+    std::vector<LoopNotes> notes_;  ///< by loop
     MemoryStream* stream_ = nullptr;
     unsigned stream_port_ = 0;
     StepObserver* observer_ = nullptr;

@@ -106,8 +106,10 @@ Json loops_json(timing::ProcessTiming const& process) {
                          {"source", site_json(process.loop_site(i))}});
         if (!reads.empty())
             loops.back()["reads"] = std::move(reads);
-        if (timing::Ports const first = process.first_reads(i); !first.is_empty())
-            loops.back()["first_reads"] = numbers_of(first, process);
+        timing::LoopNotes const& told = process.notes(i);
+        for (auto const& [name, ports] : {std::pair("first_reads", told.first), std::pair("ends", told.ends)})
+            if (!ports.is_empty())
+                loops.back()[name] = numbers_of(ports, process);
     }
     return loops;
 }
@@ -134,19 +136,26 @@ class SourceReader {
     static Json without_source(Json process) {
         for (char const* const parts : {"ports", "loops"})
             for (Json& part : process.at(parts))
-                for (char const* const told : {"source", "first_reads"})
+                for (char const* const told : {"source", "first_reads", "ends"})
                     part.erase(told);
         return process;
     }
 
     void read_loop(Json const& json, unsigned loop, timing::ProcessTiming& process) {
         process.note_loop_site(loop, read_site(json.at("source")));
-        for (Json const& port : json.value("first_reads", Json::array())) {
+        process.notes(loop).first = read_ports(json, "first_reads", process);
+        process.notes(loop).ends = read_ports(json, "ends", process);
+    }
+
+    static timing::Ports read_ports(Json const& json, char const* name, timing::ProcessTiming const& process) {
+        timing::Ports ports;
+        for (Json const& port : json.value(name, Json::array())) {
             auto const number = port.get<std::size_t>();
             if (number >= process.port_count())
                 throw std::invalid_argument("process " + process.name() + " has other ports");
-            process.note_first_reads(loop, timing::Ports::of(static_cast<unsigned>(number)));
+            ports = ports | timing::Ports::of(static_cast<unsigned>(number));
         }
+        return ports;
     }
 
     SourceSite read_site(Json const& json) {

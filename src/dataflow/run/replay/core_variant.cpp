@@ -1,5 +1,8 @@
 #include "dataflow/run/replay/core_variant.hpp"
 
+#include <fmt/format.h>
+
+#include "dataflow/base/program_name.hpp"
 #include "dataflow/core/machine/build_core.hpp"
 
 namespace dataflow::replay {
@@ -27,11 +30,36 @@ void require_first_reads(timing::ProcessTiming const& process, timing::ProcessTi
     try {
         for (unsigned loop = 0; loop < process.loops().size(); ++loop)
             for (unsigned port = 0; port < process.port_count(); ++port)
-                if (process.first_reads(loop).has(port))
+                if (process.notes(loop).first.has(port))
                     variant.require_first(loop, port);
     } catch (InputError const& error) {
         throw NotRetimable(error.what());
     }
+}
+
+/// How many iterations of a loop begin before the module has what one of them accesses later, itself included.
+std::uint64_t begun_before(timing::ProcessTiming const& process, unsigned loop, unsigned port) {
+    timing::LoopShape const& shape = process.loops()[loop];
+    Cycles const stage = shape.makes_attempts ? process.shape()->plans[loop].step_of(port).value_or(0)
+                                              : process.fifo(port).shape().read_stage;
+    return stage == 0 ? 0 : 1 + stage / shape.interval.achieved;
+}
+
+/// A module that ends a loop by what comes later would begin other iterations.
+void require_same_ends(timing::ProcessTiming const& process, timing::ProcessTiming const& variant) {
+    for (unsigned loop = 0; loop < process.loops().size(); ++loop)
+        for (unsigned port = 0; port < process.port_count(); ++port) {
+            if (!process.notes(loop).ends.has(port))
+                continue;
+            std::uint64_t const recorded = begun_before(process, loop, port);
+            std::uint64_t const begun = begun_before(variant, loop, port);
+            if (begun != recorded)
+                throw NotRetimable(fmt::format(
+                    "module {} may end its loop {} by what it accesses of {} in a later stage, before which {} of its "
+                    "iterations begin, expected {}, as in the recorded run; use {} run for others",
+                    process.name(), process.loops()[loop].name, process.fifo(port).name(), begun, recorded,
+                    program_name()));
+        }
 }
 
 }  // namespace
@@ -42,6 +70,7 @@ std::unique_ptr<timing::PhraseCore> core_variant(timing::CoreTiming const& bluep
     for (timing::ProcessTiming const& process : blueprint.processes()) {
         timing::ProcessTiming& variant = core->process(process.index());
         require_first_reads(process, variant);
+        require_same_ends(process, variant);
         copy_sites(process, variant);
     }
     return core;

@@ -4,6 +4,18 @@
 
 #include "faster/dataflow_names.hpp"
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/asan_interface.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+/// Processes that got stuck leave the sanitizer's marks on their stacks, which those of the next kernel would run into.
+extern "C" int munmap(void* address, std::size_t bytes) noexcept {
+    __asan_unpoison_memory_region(address, bytes);
+    return static_cast<int>(syscall(SYS_munmap, address, bytes));
+}
+#endif
+
 namespace faster::testing {
 
 FreshKernel::FreshKernel()

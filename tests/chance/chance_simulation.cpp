@@ -23,6 +23,7 @@
 #include "faster/dataflow_names.hpp"
 #include "support/forked_bytes.hpp"
 #include "support/fresh_kernel.hpp"
+#include "support/shared_out.hpp"
 
 namespace faster::chance {
 
@@ -335,12 +336,8 @@ void run_here(Design const& design, Design const& other, bool sizes, Outcome& ou
     try {
         Elaborated const made(simulation(), design, outcome.engine);
         replay::RecordedRun recorded;
-        SimulationOptions options;
+        SimulationOptions options = testing::shared_out(design.samples);
         options.recorded = outcome.is_recorded ? &recorded : nullptr;
-        // How a run is shared between host cores makes no difference: between processes in few, as they cost more than
-        // such a run takes.
-        options.jobs = 1 + design.samples % 3;
-        options.figures_alone = design.samples % 5 == 4;
         RunStatistics const run = simulate(*made.accelerator, options);
         outcome.run = figures_of(run);
         if (std::string const left = leftover_tokens(run); !run.deadlocked() && !left.empty())

@@ -10,6 +10,7 @@
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/fresh_kernel.hpp"
+#include "support/shared_out.hpp"
 
 namespace faster::testing {
 
@@ -61,11 +62,8 @@ TestRun test_run(AcceleratorConfig const& config, Stimulus const& stimulus, Engi
                  TestRunOptions const& wanted) {
     FreshKernel const kernel;
     MapCollector collector(wanted.with_maps ? stimulus.samples.size() : 0, stimulus.window);
-    SimulationOptions options;
-    // How a run is shared between host cores makes no difference: between processes in a fifth of all, as they cost
-    // more than such a run takes.
-    options.jobs = 1 + stimulus.samples.size() % 3;
-    options.figures_alone = stimulus.samples.size() % 5 == 4 && !wanted.with_maps && wanted.probe == nullptr;
+    SimulationOptions options = shared_out(stimulus.samples.size());
+    options.figures_alone = options.figures_alone && !wanted.with_maps && wanted.probe == nullptr;
     options.critical_path = wanted.critical_path;
     options.hazards = wanted.hazards;
     options.trail_length = wanted.trail_length;

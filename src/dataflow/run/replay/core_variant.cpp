@@ -25,13 +25,20 @@ void copy_sites(timing::ProcessTiming const& process, timing::ProcessTiming& var
         variant.note_site(port, process.port_site(port));
 }
 
+/// `call(loop, port)` for all ports that are noted of loops.
+template <class Call>
+void each_noted(timing::ProcessTiming const& process, timing::Ports timing::LoopNotes::*ports, Call const& call) {
+    for (unsigned loop = 0; loop < process.loops().size(); ++loop)
+        for (unsigned port = 0; port < process.port_count(); ++port)
+            if ((process.notes(loop).*ports).has(port))
+                call(loop, port);
+}
+
 /// As a run there would, whose module would be kept from earlier accesses.
 void require_first_reads(timing::ProcessTiming const& process, timing::ProcessTiming const& variant) {
     try {
-        for (unsigned loop = 0; loop < process.loops().size(); ++loop)
-            for (unsigned port = 0; port < process.port_count(); ++port)
-                if (process.notes(loop).first.has(port))
-                    variant.require_first(loop, port);
+        each_noted(process, &timing::LoopNotes::first,
+                   [&](unsigned loop, unsigned port) { variant.require_first(loop, port); });
     } catch (InputError const& error) {
         throw NotRetimable(error.what());
     }
@@ -47,19 +54,16 @@ std::uint64_t begun_before(timing::ProcessTiming const& process, unsigned loop, 
 
 /// A module that ends a loop by what comes later would begin other iterations.
 void require_same_ends(timing::ProcessTiming const& process, timing::ProcessTiming const& variant) {
-    for (unsigned loop = 0; loop < process.loops().size(); ++loop)
-        for (unsigned port = 0; port < process.port_count(); ++port) {
-            if (!process.notes(loop).ends.has(port))
-                continue;
-            std::uint64_t const recorded = begun_before(process, loop, port);
-            std::uint64_t const begun = begun_before(variant, loop, port);
-            if (begun != recorded)
-                throw NotRetimable(fmt::format(
-                    "module {} may end its loop {} by what it accesses of {} in a later stage, before which {} of its "
-                    "iterations begin, expected {}, as in the recorded run; use {} run for others",
-                    process.name(), process.loops()[loop].name, process.fifo(port).name(), begun, recorded,
-                    program_name()));
-        }
+    each_noted(process, &timing::LoopNotes::ends, [&](unsigned loop, unsigned port) {
+        std::uint64_t const recorded = begun_before(process, loop, port);
+        std::uint64_t const begun = begun_before(variant, loop, port);
+        if (begun != recorded)
+            throw NotRetimable(fmt::format(
+                "module {} may end its loop {} by what it accesses of {} in a later stage, before which {} of its "
+                "iterations begin, expected {}, as in the recorded run; use {} run for others",
+                process.name(), process.loops()[loop].name, process.fifo(port).name(), begun, recorded,
+                program_name()));
+    });
 }
 
 }  // namespace

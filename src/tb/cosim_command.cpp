@@ -137,7 +137,7 @@ int cosim(CosimRequest const& request) {
             stimulus,
             request.core < 0 ? samples : share_of(static_cast<std::size_t>(request.core), config.cores, samples).count),
         request.force);
-    rtl::KeptMaps maps;
+    KeptMaps maps;
     bool is_same = true;
     SimulationOptions options;
     Recording recording;

@@ -16,15 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint8_t lit = 255;
-
-Image<std::uint8_t> picture_of(std::uint8_t const* map, int side) {
-    Image<std::uint8_t> picture(side, side);
-    for (std::uint8_t& pixel : picture.pixels())
-        pixel = *map++ != 0 ? lit : std::uint8_t{0};
-    return picture;
-}
-
 /// Window pixels are small: a picture for people has about 600 pixels a side.
 Image<Colour> for_people(Image<Colour> const& picture) {
     constexpr int usual_side = 600;
@@ -37,8 +28,8 @@ fs::path sample_picture(fs::path const& folder, std::size_t sample, char const* 
 }
 
 void write_maps(fs::path const& folder, std::size_t sample, SampleMaps const& maps) {
-    files::write_png(sample_picture(folder, sample, "edges"), maps.edge_map);
-    files::write_png(sample_picture(folder, sample, "object"), maps.object_map);
+    files::write_png(sample_picture(folder, sample, "edges"), files::visible(maps.edge_map));
+    files::write_png(sample_picture(folder, sample, "object"), files::visible(maps.object_map));
     files::write_png(sample_picture(folder, sample, "depth"), maps.depth_buffer);
 }
 
@@ -51,36 +42,21 @@ Image<Colour> depth_map_of(SampleMaps const& maps, int fraction_bits) {
 
 }  // namespace
 
-void SamplePictures::edge_maps_done(std::size_t sample, EdgeMapView const& maps) {
-    if (sample >= count_)
-        return;
-    maps_[sample].edge_map = picture_of(maps.edge, maps.side);
-    maps_[sample].object_map = picture_of(maps.object, maps.side);
-}
-
-void SamplePictures::depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) {
-    if (sample >= count_)
-        return;
-    Image<std::uint16_t> picture(stimulus_.window, stimulus_.window);
-    picture.pixels() = depth_buffer;
-    maps_[sample].depth_buffer = std::move(picture);
-}
-
 void SamplePictures::write(fs::path const& folder, std::vector<SampleStatistics> const& samples) const {
     fs::create_directories(folder);
-    for (auto const& [sample, maps] : maps_) {
+    for (auto const& [sample, maps] : all()) {
         write_maps(folder, sample, maps);
         files::write_colour_png(sample_picture(folder, sample, "overlay"), for_people(overlay_of(sample, maps)));
         files::write_colour_png(sample_picture(folder, sample, "depth_map"),
                                 depth_map_of(maps, stimulus_.fraction.depth_buffer));
     }
-    if (!maps_.empty())
+    if (!all().empty())
         write_contact_sheet(folder / "contact_sheet.png", samples);
 }
 
 std::vector<report::ReportPicture> SamplePictures::for_report() const {
     std::vector<report::ReportPicture> pictures;
-    for (auto const& [sample, maps] : maps_)
+    for (auto const& [sample, maps] : all())
         pictures.push_back(
             {fmt::format(
                  "Sample {}: contour red, object green, observed edges blue, purple where the contour lies on one",
@@ -96,10 +72,10 @@ Image<Colour> SamplePictures::overlay_of(std::size_t sample, SampleMaps const& m
 
 void SamplePictures::write_contact_sheet(fs::path const& file, std::vector<SampleStatistics> const& samples) const {
     pictures::DepthScale scale(stimulus_.fraction.depth_buffer);
-    for (auto const& [sample, maps] : maps_)
+    for (auto const& [sample, maps] : all())
         scale.include(maps.depth_buffer);
-    pictures::ContactSheet sheet(maps_.size(), scale);
-    for (auto const& [sample, maps] : maps_)
+    pictures::ContactSheet sheet(all().size(), scale);
+    for (auto const& [sample, maps] : all())
         if (sheet.room() > 0)
             sheet.add(sample, counters_from(samples[sample].counters).inlier, overlay_of(sample, maps),
                       maps.depth_buffer);

@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <map>
 #include <vector>
 
 #include "dataflow/run/figures/run_statistics.hpp"
@@ -8,19 +7,16 @@
 #include "faster/data/stimulus.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/pictures/colour.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/kept_maps.hpp"
 
 namespace faster {
 
-/// Keeps what the first samples of a run left in the maps, and writes it as pictures
+/// What the first samples of a run left in the maps, as pictures
 /// (docs/formats.md#images-with---images-k).
-class SamplePictures : public SampleProbe {
+class SamplePictures : public KeptMaps {
   public:
-    /// Keeps samples below `count`.
-    SamplePictures(Stimulus const& stimulus, std::size_t count) : stimulus_(stimulus), count_(count) {}
-
-    void edge_maps_done(std::size_t sample, EdgeMapView const& maps) override;
-    void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) override;
+    /// Of samples below `count`.
+    SamplePictures(Stimulus const& stimulus, std::size_t count) : KeptMaps(count), stimulus_(stimulus) {}
 
     /// sample_NNNN_{edges,object,depth}.png for programs; sample_NNNN_{overlay,depth_map}.png and contact_sheet.png for
     /// people. `samples` are those of the whole run.
@@ -34,8 +30,6 @@ class SamplePictures : public SampleProbe {
     void write_contact_sheet(std::filesystem::path const& file, std::vector<SampleStatistics> const& samples) const;
 
     Stimulus const& stimulus_;
-    std::size_t count_;
-    std::map<std::size_t, SampleMaps> maps_;
 };
 
 }  // namespace faster

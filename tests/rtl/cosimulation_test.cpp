@@ -22,7 +22,7 @@ std::string const source = FASTER_SOURCE_DIR;
 /// What the model does, as `config` says, that the twin does not, as `settings` say; empty: nothing.
 std::string difference(AcceleratorConfig const& config, rtl::TwinSettings const& settings, Stimulus const& stimulus) {
     std::string const unequal = "differs in cycle ";
-    rtl::KeptMaps maps;
+    KeptMaps maps;
     TestRunOptions options;
     options.probe = &maps;
     auto const compare = [&](recording::RecordedWindow const& window) {

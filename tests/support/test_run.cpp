@@ -1,6 +1,5 @@
 #include "support/test_run.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "dataflow/run/config/resolved_config.hpp"
@@ -9,6 +8,7 @@
 #include "dataflow/tools/report/summary.hpp"
 #include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
+#include "modules/core/kept_maps.hpp"
 #include "support/fresh_kernel.hpp"
 #include "support/shared_out.hpp"
 
@@ -16,32 +16,13 @@ namespace faster::testing {
 
 namespace {
 
-/// Keeps the maps of every sample.
-class MapCollector : public SampleProbe {
-  public:
-    MapCollector(std::size_t samples, int window) : maps_(samples), window_(window) {}
-
-    void edge_maps_done(std::size_t sample, EdgeMapView const& maps) override {
-        maps_[sample].edge_map = picture(maps.edge);
-        maps_[sample].object_map = picture(maps.object);
-    }
-    void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) override {
-        maps_[sample].depth_buffer = Image<std::uint16_t>(window_, window_);
-        maps_[sample].depth_buffer.pixels() = depth_buffer;
-    }
-
-    std::vector<SampleMaps> take() { return std::move(maps_); }
-
-  private:
-    Image<std::uint8_t> picture(std::uint8_t const* map) const {
-        Image<std::uint8_t> image(window_, window_);
-        std::copy_n(map, image.pixels().size(), image.pixels().begin());
-        return image;
-    }
-
-    std::vector<SampleMaps> maps_;
-    int window_;
-};
+/// Of every sample; of those that the run did not get to, none.
+std::vector<SampleMaps> maps_of(KeptMaps const& kept, std::size_t samples) {
+    std::vector<SampleMaps> maps(samples);
+    for (auto const& [sample, of_sample] : kept.all())
+        maps[sample] = of_sample;
+    return maps;
+}
 
 LoadedConfig loaded_from(AcceleratorConfig const& config) {
     LoadedConfig loaded;
@@ -61,7 +42,7 @@ void write_events(std::filesystem::path const& file, AcceleratorConfig const& co
 TestRun test_run(AcceleratorConfig const& config, Stimulus const& stimulus, Engine engine,
                  TestRunOptions const& wanted) {
     FreshKernel const kernel;
-    MapCollector collector(wanted.with_maps ? stimulus.samples.size() : 0, stimulus.window);
+    KeptMaps maps;
     SimulationOptions options = shared_out(stimulus.samples.size());
     options.figures_alone = options.figures_alone && !wanted.with_maps && wanted.probe == nullptr;
     options.critical_path = wanted.critical_path;
@@ -70,14 +51,14 @@ TestRun test_run(AcceleratorConfig const& config, Stimulus const& stimulus, Engi
     options.recordings = wanted.recordings;
     replay::RecordedRun recorded;
     options.recorded = wanted.sensitivities || !wanted.events.empty() ? &recorded : nullptr;
-    RunStatistics run = simulate(config, stimulus, engine, options, wanted.with_maps ? &collector : wanted.probe);
+    RunStatistics run = simulate(config, stimulus, engine, options, wanted.with_maps ? &maps : wanted.probe);
     if (wanted.sensitivities) {
         run.sensitivities = replay::sensitivities(recorded, loaded_from(config));
         run.alternatives = replay::alternatives(recorded, loaded_from(config));
     }
     if (!wanted.events.empty() && !run.deadlocked())
         write_events(wanted.events, config, recorded, run);
-    return {std::move(run), collector.take()};
+    return {std::move(run), maps_of(maps, wanted.with_maps ? stimulus.samples.size() : 0)};
 }
 
 }  // namespace faster::testing

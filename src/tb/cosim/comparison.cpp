@@ -17,15 +17,6 @@ namespace {
 
 using Kind = recording::Event::Kind;
 
-recording::Event access(Kind kind, std::size_t fifo, Cycles cycle, std::int64_t value = 0) {
-    recording::Event event;
-    event.kind = kind;
-    event.item = static_cast<std::uint32_t>(fifo);
-    event.cycle = cycle;
-    event.value = value;
-    return event;
-}
-
 /// Longer than any pipeline of the twin.
 constexpr Cycles quiet_cycles = 1000;
 constexpr Cycles told_cycles = 0x10000;
@@ -33,12 +24,6 @@ constexpr std::size_t history_cycles = 8;
 /// Of a waveform around a difference.
 constexpr Cycles cycles_before = 100;
 constexpr Cycles cycles_after = 100;
-
-template <class Word> Image<Word> square(Word const* words, int side) {
-    Image<Word> image(side, side);
-    std::copy_n(words, image.pixels().size(), image.pixels().begin());
-    return image;
-}
 
 /// What one side does in a cycle: accesses and, of writes, the tokens.
 struct Accesses {
@@ -268,11 +253,13 @@ recording::Spools RecentTokens::spools_of(Machine const& machine) const {
     std::vector<std::vector<recording::Event>> events(machine.processes.size());
     for (std::size_t fifo = 0; fifo < tokens_.size(); ++fifo)
         for (Token const& token : tokens_[fifo]) {
+            auto const number = static_cast<std::uint32_t>(fifo);
             std::vector<recording::Event>& writes = events[machine.fifos[fifo].writer];
             for (std::size_t i = 0; i < token.values.size(); ++i)
-                writes.push_back(access(i == 0 ? Kind::write : Kind::field, fifo, token.written, token.values[i]));
+                writes.push_back(
+                    recording::event_at(token.written, i == 0 ? Kind::write : Kind::field, number, token.values[i]));
             if (token.read)
-                events[machine.fifos[fifo].reader].push_back(access(Kind::read, fifo, *token.read));
+                events[machine.fifos[fifo].reader].push_back(recording::event_at(*token.read, Kind::read, number));
         }
     recording::Spools spools;
     spools.processes.resize(events.size());
@@ -299,23 +286,6 @@ void RecentTokens::write_vcd(std::filesystem::path const& file, recording::Recor
     recording::WaveformFiles files;
     files.push_back(std::make_unique<recording::VcdFile>(file, core.machine->clock_mhz));
     recording::write_waveform(files, *core.machine, window, recording::SignalFilter::fifos(*core.machine));
-}
-
-void KeptMaps::edge_maps_done(std::size_t sample, EdgeMapView const& maps) {
-    maps_[sample].edge_map = square(maps.edge, maps.side);
-    maps_[sample].object_map = square(maps.object, maps.side);
-}
-
-void KeptMaps::depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) {
-    int side = 0;
-    while (static_cast<std::size_t>(side) * static_cast<std::size_t>(side) < depth_buffer.size())
-        ++side;
-    maps_[sample].depth_buffer = square(depth_buffer.data(), side);
-}
-
-SampleMaps const* KeptMaps::of(std::size_t sample) const {
-    auto const at = maps_.find(sample);
-    return at == maps_.end() ? nullptr : &at->second;
 }
 
 Compared compare(recording::RecordedCore const& model, KeptMaps const& maps, TwinSettings const& settings,

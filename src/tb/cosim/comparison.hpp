@@ -4,7 +4,6 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +11,7 @@
 #include "dataflow/base/core_share.hpp"
 #include "dataflow/tools/recording/recorded_core.hpp"
 #include "faster/dataflow_names.hpp"
-#include "modules/core/core_context.hpp"
+#include "modules/core/kept_maps.hpp"
 #include "tb/cosim/twin_core.hpp"
 
 namespace faster::rtl {
@@ -67,19 +66,6 @@ struct Compared {
     std::uint64_t maps = 0;
     double twin_seconds = 0;  ///< of the host, for the twin alone
     std::optional<Difference> difference;
-};
-
-/// Keeps the maps that a run of the model leaves, for compare().
-class KeptMaps final : public SampleProbe {
-  public:
-    void edge_maps_done(std::size_t sample, EdgeMapView const& maps) override;
-    void depth_buffer_done(std::size_t sample, std::vector<std::uint16_t> const& depth_buffer) override;
-
-    /// Of a sample; null if the run did not get there.
-    SampleMaps const* of(std::size_t sample) const;
-
-  private:
-    std::map<std::size_t, SampleMaps> maps_;
 };
 
 /// Goes with the twin through everything that was recorded of a core of the model, from cycle 0 on: every write with

@@ -7,19 +7,6 @@ namespace dataflow::recording {
 using Kind = Event::Kind;
 using timing::ProcessTiming;
 
-namespace {
-
-Event made(Cycles cycle, Kind kind, std::uint32_t item = 0, std::uint64_t value = 0) {
-    Event event;
-    event.cycle = cycle;
-    event.kind = kind;
-    event.item = item;
-    event.value = static_cast<std::int64_t>(value);
-    return event;
-}
-
-}  // namespace
-
 CoreCapture::CoreCapture(Machine const& machine, timing::CoreTiming& core, std::vector<TokenTap> const& taps,
                          CoreShare share, std::uint64_t tokens_in_use, Spools& spools)
     : machine_(machine),
@@ -78,7 +65,7 @@ void CoreCapture::take_down_loop(ProcessTiming const& process) {
     std::uint64_t const begun = process.iterations() + (process.is_in_iteration() ? 1U : 0U);
     if (begun == 0)
         return;
-    put(process, made(process.local_time(), Kind::at_iteration, 0, begun - 1));
+    put(process, event_at(process.local_time(), Kind::at_iteration, 0, begun - 1));
 }
 
 /// Tokens inside are told as writes in the cycles in which they were written. The last ones read may still be in use:
@@ -117,7 +104,7 @@ void CoreCapture::take_down_past(ProcessTiming const& process) {
 }
 
 void CoreCapture::put_read(ProcessTiming const& process, std::uint32_t fifo, Cycles cycle) {
-    put(process, made(cycle, Kind::read, fifo));
+    put(process, event_at(cycle, Kind::read, fifo));
 }
 
 /// Events of a process are in the order of their cycles.
@@ -144,14 +131,14 @@ void CoreCapture::finish() {
 }
 
 void CoreCapture::entered_loop(ProcessTiming const& process, unsigned loop, Cycles cycle) {
-    put(process, made(cycle, Kind::enter, loops_at_[process.index()][loop]));
+    put(process, event_at(cycle, Kind::enter, loops_at_[process.index()][loop]));
 }
 
-void CoreCapture::left_loop(ProcessTiming const& process, Cycles cycle) { put(process, made(cycle, Kind::leave)); }
+void CoreCapture::left_loop(ProcessTiming const& process, Cycles cycle) { put(process, event_at(cycle, Kind::leave)); }
 
 void CoreCapture::iterated(ProcessTiming const& process, Cycles cycle, std::uint64_t first, std::uint64_t count,
                            Cycles stride) {
-    Event event = made(cycle, Kind::iterate, 0, first);
+    Event event = event_at(cycle, Kind::iterate, 0, first);
     event.count = count;
     event.stride = static_cast<std::uint32_t>(stride);
     put(process, event);
@@ -173,7 +160,7 @@ void CoreCapture::stalled(ProcessTiming const& process, unsigned port, Cycles fr
 }
 
 void CoreCapture::put_stall(ProcessTiming const& process, unsigned port, Cycles from, Cycles until) {
-    spool(process.index(), made(from, Kind::stall, fifo_at(process, port), until));
+    spool(process.index(), event_at(from, Kind::stall, fifo_at(process, port), until));
 }
 
 void CoreCapture::accessed(ProcessTiming const& process, timing::Ports ports, Cycles cycle) {
@@ -198,12 +185,8 @@ std::vector<Event> CoreCapture::write_of(std::uint32_t fifo, std::uint64_t numbe
     std::int64_t const none = 0;
     std::int64_t const* const values = fields > 0 ? taps_[fifo].token(number) : &none;
     std::vector<Event> events(std::max<std::size_t>(fields, 1));
-    for (std::size_t i = 0; i < events.size(); ++i) {
-        events[i].cycle = cycle;
-        events[i].item = fifo;
-        events[i].kind = i == 0 ? Kind::write : Kind::field;
-        events[i].value = values[i];
-    }
+    for (std::size_t i = 0; i < events.size(); ++i)
+        events[i] = event_at(cycle, i == 0 ? Kind::write : Kind::field, fifo, values[i]);
     return events;
 }
 
@@ -215,7 +198,7 @@ void CoreCapture::put_late(ProcessTiming const& process, std::uint32_t fifo, std
                            Cycles cycle) {
     std::deque<Event>& late = late_[process.index()];
     if (cycle > due)
-        late.push_back(made(due, Kind::stall, fifo, cycle));
+        late.push_back(event_at(due, Kind::stall, fifo, cycle));
     std::vector<Event> const token = write_of(fifo, number, cycle);
     late.insert(late.end(), token.begin(), token.end());
 }
@@ -240,7 +223,7 @@ void CoreCapture::put_stamp(ProcessTiming const& process, std::size_t stamp) {
 void CoreCapture::put_sample(Event::Kind kind, std::size_t sample, Cycles cycle) {
     if (sample >= share_.count || cycle > last_)
         return;
-    (kind == Kind::begin ? spools_.begins : spools_.ends).put(made(cycle, kind, 0, share_.first + sample));
+    (kind == Kind::begin ? spools_.begins : spools_.ends).put(event_at(cycle, kind, 0, share_.first + sample));
 }
 
 }  // namespace dataflow::recording

@@ -29,6 +29,16 @@ struct Event {
     std::uint32_t item = 0;
 };
 
+/// Its value is a cycle or a number, or of a token, which may be negative.
+template <class Value = int> Event event_at(Cycles cycle, Event::Kind kind, std::uint32_t item = 0, Value value = 0) {
+    Event event;
+    event.cycle = cycle;
+    event.kind = kind;
+    event.item = item;
+    event.value = static_cast<std::int64_t>(value);
+    return event;
+}
+
 /// The fields of a token, in the order of its layout.
 using TokenValues = std::vector<std::int64_t>;
 

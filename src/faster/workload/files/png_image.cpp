@@ -90,6 +90,12 @@ Image<std::uint8_t> read_png8(std::filesystem::path const& path) { return decode
 void write_png(std::filesystem::path const& path, Image<std::uint16_t> const& image) { encode(path, image); }
 void write_png(std::filesystem::path const& path, Image<std::uint8_t> const& image) { encode(path, image); }
 
+Image<std::uint8_t> visible(Image<std::uint8_t> map) {
+    for (std::uint8_t& pixel : map.pixels())
+        pixel = pixel == 0 ? 0 : 255;
+    return map;
+}
+
 void require_size(std::filesystem::path const& path, int found_width, int found_height, int expected_width,
                   int expected_height, std::string const& reason) {
     if (found_width != expected_width || found_height != expected_height) {

@@ -26,6 +26,9 @@ Image<std::uint16_t> decode_png16(std::filesystem::path const& path, std::string
 void write_png(std::filesystem::path const& path, Image<std::uint16_t> const& image);
 void write_png(std::filesystem::path const& path, Image<std::uint8_t> const& image);
 
+/// 255 where a map is not 0.
+Image<std::uint8_t> visible(Image<std::uint8_t> map);
+
 /// Throws the InputError for an image of the wrong size. `reason` says where the expected size comes from.
 void require_size(std::filesystem::path const& path, int found_width, int found_height, int expected_width,
                   int expected_height, std::string const& reason);

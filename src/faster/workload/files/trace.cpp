@@ -84,36 +84,31 @@ std::vector<SampleInput> read_samples(fs::path const& path, std::size_t triangle
     return samples;
 }
 
-[[noreturn]] void fail_pixel(fs::path const& path, int row, int column, int found, std::string const& expected) {
-    throw InputError(
-        fmt::format("{}: pixel at row {}, column {} is {}, expected {}", path.string(), row, column, found, expected));
+template <class Pixel, class IsValid>
+void require_pixels(fs::path const& path, Image<Pixel> const& image, TraceManifest const& manifest, IsValid is_valid,
+                    std::string const& expected) {
+    require_size(path, image.width(), image.height(), manifest.width, manifest.height, "trace.yaml");
+    for (int row = 0; row < image.height(); ++row)
+        for (int column = 0; column < image.width(); ++column)
+            if (Pixel const pixel = image.at(row, column); !is_valid(pixel))
+                throw InputError(fmt::format("{}: pixel at row {}, column {} is {}, expected {}", path.string(), row,
+                                             column, pixel, expected));
 }
 
 Image<std::uint16_t> read_depth(fs::path const& path, TraceManifest const& manifest) {
     Image<std::uint16_t> depth = read_png16(path);
-    require_size(path, depth.width(), depth.height(), manifest.width, manifest.height, "trace.yaml");
-    for (int row = 0; row < depth.height(); ++row) {
-        for (int column = 0; column < depth.width(); ++column) {
-            if (depth.at(row, column) > far_depth_code) {
-                fail_pixel(path, row, column, depth.at(row, column), fmt::format("at most {}, far", far_depth_code));
-            }
-        }
-    }
+    require_pixels(
+        path, depth, manifest, [](std::uint16_t code) { return code <= far_depth_code; },
+        fmt::format("at most {}, far", far_depth_code));
     return depth;
 }
 
 Image<std::uint8_t> read_edges(fs::path const& path, TraceManifest const& manifest) {
     Image<std::uint8_t> edges = read_png8(path);
-    require_size(path, edges.width(), edges.height(), manifest.width, manifest.height, "trace.yaml");
-    for (int row = 0; row < edges.height(); ++row) {
-        for (int column = 0; column < edges.width(); ++column) {
-            std::uint8_t& pixel = edges.at(row, column);
-            if (pixel != 0 && pixel != 255) {
-                fail_pixel(path, row, column, pixel, "0 or 255");
-            }
-            pixel = pixel == 0 ? 0 : 1;
-        }
-    }
+    require_pixels(
+        path, edges, manifest, [](std::uint8_t pixel) { return pixel == 0 || pixel == 255; }, "0 or 255");
+    for (std::uint8_t& pixel : edges.pixels())
+        pixel = pixel == 0 ? 0 : 1;
     return edges;
 }
 
@@ -150,13 +145,6 @@ std::string triangles_text(std::vector<TriangleCode> const& triangles) {
         append_row(text, {v[0].x, v[0].y, v[0].z, v[1].x, v[1].y, v[1].z, v[2].x, v[2].y, v[2].z});
     }
     return text;
-}
-
-Image<std::uint8_t> visible(Image<std::uint8_t> edges) {
-    for (std::uint8_t& pixel : edges.pixels()) {
-        pixel = pixel == 0 ? 0 : 255;
-    }
-    return edges;
 }
 
 void require_writable(Stimulus const& stimulus) {

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <fmt/format.h>
 #include <limits>
-#include <unordered_map>
+#include <meshoptimizer.h>
 #include <utility>
 
 #include "dataflow/base/input_error.hpp"
@@ -15,39 +14,6 @@
 namespace faster::files {
 namespace {
 
-/// Gives equal points equal indices, in order of first appearance. Only exactly equal points are joined: any tolerance
-/// would collapse meshes of small scale.
-class VertexJoiner {
-  public:
-    /// Appends each new point to `vertices`, which must be empty and outlive the joiner.
-    explicit VertexJoiner(std::vector<Eigen::Vector3d>& vertices) : vertices_(vertices) {}
-
-    std::uint32_t index_of(Eigen::Vector3d const& point) {
-        Eigen::Vector3d const key = point + Eigen::Vector3d::Zero();  // -0 becomes 0: equal, but of other bits
-        auto const [entry, is_new] = indices_.try_emplace(key, static_cast<std::uint32_t>(vertices_.size()));
-        if (is_new)
-            vertices_.push_back(point);
-        return entry->second;
-    }
-
-  private:
-    struct Hash {
-        std::size_t operator()(Eigen::Vector3d const& point) const {
-            std::uint64_t hash = 0;
-            for (double const coordinate : {point.x(), point.y(), point.z()}) {
-                std::uint64_t bits = 0;
-                std::memcpy(&bits, &coordinate, sizeof bits);
-                hash = (hash ^ bits) * 0x9E3779B97F4A7C15U;
-                hash ^= hash >> 32;
-            }
-            return static_cast<std::size_t>(hash);
-        }
-    };
-
-    std::vector<Eigen::Vector3d>& vertices_;
-    std::unordered_map<Eigen::Vector3d, std::uint32_t, Hash> indices_;
-};
-
 /// Rotates triangles of a polygon that begin where the one before begins. The two of a quadrilateral begin at one
 /// corner.
 void part_beginnings(std::vector<CornerTriple>& triples) {
@@ -56,6 +22,29 @@ void part_beginnings(std::vector<CornerTriple>& triples) {
     for (std::size_t i = 1; i < triples.size(); ++i)
         if (triples[i][0] == triples[i - 1][0])
             std::rotate(triples[i].begin(), triples[i].begin() + 2, triples[i].end());
+}
+
+/// Joins vertices of equal position: the first stands for them. Only exactly equal ones are joined: any tolerance would
+/// collapse meshes of small scale.
+Mesh mesh_of(std::vector<std::uint32_t> const& corners, std::vector<Eigen::Vector3f> const& vertices) {
+    Mesh mesh;
+    if (corners.empty())
+        return mesh;
+    std::vector<Eigen::Vector3f> keys;
+    keys.reserve(vertices.size());
+    for (Eigen::Vector3f const& vertex : vertices)
+        keys.emplace_back(vertex + Eigen::Vector3f::Zero());  // -0 becomes 0: equal, but of other bits
+    std::vector<unsigned> numbers(keys.size());               // in order of first appearance
+    meshopt_generateVertexRemap(numbers.data(), corners.data(), corners.size(), keys.data(), keys.size(),
+                                sizeof(Eigen::Vector3f));
+    mesh.faces.resize(corners.size() / 3);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        unsigned const number = numbers[corners[i]];
+        if (number == mesh.vertices.size())
+            mesh.vertices.emplace_back(vertices[corners[i]].cast<double>());
+        mesh.faces[i / 3][i % 3] = number;
+    }
+    return mesh;
 }
 
 bool is_finite_float(double value) { return std::abs(value) <= double{std::numeric_limits<float>::max()}; }
@@ -78,8 +67,7 @@ void MeshBuilder::add_polygon(std::vector<std::uint32_t> const& corners) {
 }
 
 Mesh MeshBuilder::mesh() const {
-    Mesh mesh;
-    VertexJoiner joiner(mesh.vertices);
+    std::vector<std::uint32_t> of_triangles;
     std::vector<Eigen::Vector3d> points;
     std::size_t begin = 0;
     for (std::size_t const end : ends_) {
@@ -88,21 +76,14 @@ Mesh MeshBuilder::mesh() const {
             continue;
         points.clear();
         for (std::size_t corner = first; corner < end; ++corner)
-            points.push_back(position(corner));
+            points.emplace_back(vertices_.at(corners_[corner]).cast<double>());
         std::vector<CornerTriple> triples = cut_polygon(points);
         part_beginnings(triples);
-        for (CornerTriple& triple : triples)
-            for (std::size_t& corner : triple)
-                corner += first;
         for (CornerTriple const& triple : triples)
-            mesh.faces.push_back({joiner.index_of(position(triple[0])), joiner.index_of(position(triple[1])),
-                                  joiner.index_of(position(triple[2]))});
+            for (std::size_t const corner : triple)
+                of_triangles.push_back(corners_[first + corner]);
     }
-    return mesh;
-}
-
-Eigen::Vector3d MeshBuilder::position(std::size_t corner) const {
-    return vertices_.at(corners_[corner]).cast<double>();
+    return mesh_of(of_triangles, vertices_);
 }
 
 }  // namespace faster::files

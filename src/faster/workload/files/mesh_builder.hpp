@@ -31,8 +31,6 @@ class MeshBuilder {
     Mesh mesh() const;
 
   private:
-    Eigen::Vector3d position(std::size_t corner) const;
-
     std::vector<Eigen::Vector3f> vertices_;
     std::vector<std::uint32_t> corners_;  ///< of all polygons
     std::vector<std::size_t> ends_;       ///< of each polygon in corners_

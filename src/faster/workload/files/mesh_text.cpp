@@ -115,10 +115,10 @@ std::string_view MeshText::word_of_row() {
     }
 }
 
-Eigen::Vector3d MeshText::coordinates(std::size_t vertex) {
+Eigen::Vector3d MeshText::coordinates(std::size_t vertex, std::string_view (MeshText::*next)()) {
     Eigen::Vector3d place;
     for (double& coordinate : place) {
-        std::string_view const given = word();
+        std::string_view const given = (this->*next)();
         auto const number = number_in(given);
         if (!number)
             fail(fmt::format("vertex {} (counted from 0) has {} as a coordinate, expected three numbers", vertex,

@@ -38,8 +38,9 @@ class MeshText {
     /// The next word of this line or a later one. Fails at the end of the text.
     std::string_view word_of_row();
 
-    /// Three numbers, the next words of the line, of the vertex with this number. Fails if they are none.
-    Eigen::Vector3d coordinates(std::size_t vertex);
+    /// Three numbers, the next words of the line or, with word_of_row(), of later ones too; of the vertex with this
+    /// number. Fails if they are none.
+    Eigen::Vector3d coordinates(std::size_t vertex, std::string_view (MeshText::*next)() = &MeshText::word);
 
     /// The number of the line, from 1.
     std::size_t line() const { return line_; }

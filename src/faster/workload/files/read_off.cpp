@@ -75,15 +75,7 @@ class OffReader {
 
     void read_vertex() {
         begin_row();
-        Eigen::Vector3d vertex;
-        for (double& coordinate : vertex) {
-            std::string_view const word = text_.word_of_row();
-            auto const number = number_in(word);
-            if (!number)
-                text_.fail(fmt::format("vertex {} (counted from 0) has {} as a coordinate, expected three numbers",
-                                       mesh_.vertices(), shortened(word)));
-            coordinate = *number;
-        }
+        Eigen::Vector3d const vertex = text_.coordinates(mesh_.vertices(), &MeshText::word_of_row);
         mesh_.add_vertex(vertex, [this] { return text_.place(); });
     }
 

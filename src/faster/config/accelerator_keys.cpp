@@ -151,18 +151,15 @@ void add_edge_extraction_keys(Keys& keys) {
         "Flow fpga_grip: how the neighbourhood is read: all of it from the depth buffer, or one word and line "
         "buffers.",
         "this project", &EdgeExtractionConfig::neighbour_access);
-}
-
-/// They add to the depth of inlier_unit.extract.
-void add_unit_latency_keys(Keys& keys) {
-    keys.push_back(step_of_time(Make::integer_key(
-        {"accelerator.edge_extraction.square_root_latency", "cycles",
-         "Flow fpga_grip: stages of the square root unit, one per bit of its result.", "this project"},
-        cycles_range, [](auto& config) -> auto& { return config.accelerator.edge_extraction.square_root_latency; })));
-    keys.push_back(step_of_time(Make::integer_key(
-        {"accelerator.edge_extraction.divider_latency", "cycles",
-         "Flow fpga_grip: stages of the divider, one per bit of its quotient and two.", "this project"},
-        cycles_range, [](auto& config) -> auto& { return config.accelerator.edge_extraction.divider_latency; })));
+    // Both latencies add to the depth of inlier_unit.extract.
+    Key& root = edge_extraction.integer("square_root_latency", "cycles",
+                                        "Flow fpga_grip: stages of the square root unit, one per bit of its result.",
+                                        "this project", cycles_range, &EdgeExtractionConfig::square_root_latency);
+    root.is_step = root.decides_time = true;
+    Key& divider = edge_extraction.integer(
+        "divider_latency", "cycles", "Flow fpga_grip: stages of the divider, one per bit of its quotient and two.",
+        "this project", cycles_range, &EdgeExtractionConfig::divider_latency);
+    divider.is_step = divider.decides_time = true;
 }
 
 void add_machine_keys(Keys& keys) {
@@ -190,7 +187,6 @@ Keys faster_keys(CoreDescription const& core) {
     add_rasterizer_keys(keys);
     add_inlier_unit_keys(keys);
     add_edge_extraction_keys(keys);
-    add_unit_latency_keys(keys);
     append(keys, external_memory_keys());
     append(keys, memory_placement_keys());
     append(keys, machine_keys(core));

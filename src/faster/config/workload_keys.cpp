@@ -92,19 +92,22 @@ void add_target_keys(Keys& keys) {
 }
 
 void add_mesh_file_keys(Keys& keys) {
-    keys.push_back(Make::number_key(
-        {"workload.mesh_files.scale", "m",
-         "Metres per unit of mesh files: 0.001 for millimetres. Built-in classes are in metres.", "this project"},
-        positive, [](auto& config) -> auto& { return config.workload.mesh_files.scale; }));
-    keys.push_back(of_no_figure(Make::number_key(
-        {"workload.mesh_files.time_limit_s", "s", "How long reading a mesh file may take.", "this project"},
-        {0, 86'400, true}, [](auto& config) -> auto& { return config.workload.mesh_files.time_limit_s; })));
-    keys.push_back(of_no_figure(Make::integer_key(
-        {"workload.mesh_files.memory_limit_mib", "MiB", "How much memory it may take.", "this project"}, {1, 1'048'576},
-        [](auto& config) -> auto& { return config.workload.mesh_files.memory_limit_mib; })));
-    keys.push_back(of_no_figure(Make::integer_key(
-        {"workload.mesh_files.file_limit_mib", "MiB", "How long a mesh file may be.", "this project"}, {1, 1'048'576},
-        [](auto& config) -> auto& { return config.workload.mesh_files.file_limit_mib; })));
+    auto mesh_files = key_section(keys, "workload.mesh_files", &FasterConfig::workload, &WorkloadConfig::mesh_files);
+    mesh_files.number("scale", "m",
+                      "Metres per unit of mesh files: 0.001 for millimetres. Built-in classes are in metres.",
+                      "this project", positive, &MeshFilesConfig::scale);
+    mesh_files
+        .number("time_limit_s", "s", "How long reading a mesh file may take.", "this project", {0, 86'400, true},
+                &MeshFilesConfig::time_limit_s)
+        .decides_figures = false;
+    mesh_files
+        .integer("memory_limit_mib", "MiB", "How much memory it may take.", "this project", {1, 1'048'576},
+                 &MeshFilesConfig::memory_limit_mib)
+        .decides_figures = false;
+    mesh_files
+        .integer("file_limit_mib", "MiB", "How long a mesh file may be.", "this project", {1, 1'048'576},
+                 &MeshFilesConfig::file_limit_mib)
+        .decides_figures = false;
 }
 
 void add_camera_keys(Keys& keys) {

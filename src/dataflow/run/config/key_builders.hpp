@@ -91,7 +91,8 @@ template <class Whole, class Member, class... Members> auto& member_of(Whole& wh
 }
 
 /// Adds the keys of one part of a configuration, each of which is a member of the part's class:
-/// `noise.number("sigma", "m", "Deviation of a reading.", "measured", {0, 1}, &Noise::sigma);`. See key_section().
+/// `noise.number("sigma", "m", "Deviation of a reading.", "measured", {0, 1}, &Noise::sigma);`. Each returns the key,
+/// for what else is to be said of it, up to the next. See key_section().
 template <class Config, class Part> class KeySection {
     using Make = KeyMaker<Config>;
     using Text = std::string const&;
@@ -100,21 +101,21 @@ template <class Config, class Part> class KeySection {
     KeySection(Keys& keys, std::string name, Part part) : keys_(keys), name_(std::move(name)), part_(part) {}
 
     template <class Member>
-    void integer(Text name, Text unit, Text meaning, Text source, IntegerRange range, Member member) {
-        keys_.push_back(Make::integer_key(text(name, unit, meaning, source), range, field(member)));
+    Key& integer(Text name, Text unit, Text meaning, Text source, IntegerRange range, Member member) {
+        return keys_.emplace_back(Make::integer_key(text(name, unit, meaning, source), range, field(member)));
     }
     template <class Member>
-    void number(Text name, Text unit, Text meaning, Text source, NumberRange range, Member member) {
-        keys_.push_back(Make::number_key(text(name, unit, meaning, source), range, field(member)));
+    Key& number(Text name, Text unit, Text meaning, Text source, NumberRange range, Member member) {
+        return keys_.emplace_back(Make::number_key(text(name, unit, meaning, source), range, field(member)));
     }
-    template <class Member> void choice(Text name, Text unit, Text meaning, Text source, Member member) {
-        keys_.push_back(Make::choice_key(text(name, unit, meaning, source), field(member)));
+    template <class Member> Key& choice(Text name, Text unit, Text meaning, Text source, Member member) {
+        return keys_.emplace_back(Make::choice_key(text(name, unit, meaning, source), field(member)));
     }
-    template <class Member> void boolean(Text name, Text unit, Text meaning, Text source, Member member) {
-        keys_.push_back(Make::boolean_key(text(name, unit, meaning, source), field(member)));
+    template <class Member> Key& boolean(Text name, Text unit, Text meaning, Text source, Member member) {
+        return keys_.emplace_back(Make::boolean_key(text(name, unit, meaning, source), field(member)));
     }
-    template <class Member> void of_kind(Text name, Text unit, Text meaning, Text source, KeyKind kind, Member member) {
-        keys_.push_back(Make::make_key(text(name, unit, meaning, source), kind, field(member)));
+    template <class Member> Key& of_kind(Text name, Text unit, Text meaning, Text source, KeyKind kind, Member member) {
+        return keys_.emplace_back(Make::make_key(text(name, unit, meaning, source), kind, field(member)));
     }
 
   private:
@@ -138,22 +139,10 @@ auto key_section(Keys& keys, std::string name, Member Config::*first, Members...
     return KeySection<Config, decltype(part)>(keys, std::move(name), part);
 }
 
-/// A key that no figure depends on.
-inline Key of_no_figure(Key key) {
-    key.decides_figures = false;
-    return key;
-}
-
 /// A key that may be changed without running the function again.
 inline Key of_time(Key key) {
     key.decides_time = true;
     return key;
-}
-
-/// Such a key that the sensitivities change by one.
-inline Key step_of_time(Key key) {
-    key.is_step = true;
-    return of_time(std::move(key));
 }
 
 }  // namespace dataflow

@@ -16,12 +16,14 @@ namespace dataflow {
 namespace {
 
 Keys simulation_keys() {
-    return {of_no_figure(KeyMaker<RunConfig>::choice_key(
+    Key engine = KeyMaker<RunConfig>::choice_key(
         {"simulation.engine", "",
          "How the SystemC kernel follows the processes: at every operation (lockstep, for waveforms) or "
          "only when they must wait (decoupled); the results are the same.",
          "timing model"},
-        [](auto& config) -> auto& { return config.simulation.engine; }))};
+        [](auto& config) -> auto& { return config.simulation.engine; });
+    engine.decides_figures = false;
+    return {engine};
 }
 
 Keys make_all_keys() {

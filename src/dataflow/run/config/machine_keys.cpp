@@ -37,7 +37,8 @@ Key part_key(KeyText text, KeyKind kind, Part part, Field field, Value otherwise
 
 template <class Part, class Field>
 Key step_key(KeyText text, IntegerRange range, Part part, Field field, std::uint64_t otherwise) {
-    Key key = step_of_time(part_key(std::move(text), KeyKind::integer, part, field, otherwise));
+    Key key = part_key(std::move(text), KeyKind::integer, part, field, otherwise);
+    key.is_step = true;
     key.integers = range;
     return key;
 }

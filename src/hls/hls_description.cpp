@@ -78,7 +78,7 @@ class DiscoveredProcess {
 class Describer {
   public:
     explicit Describer(HlsDesign& design) : design_(design), network_(design.processes()) {
-        network_.run();
+        network_.run_apart();
         for (std::size_t i = 0; i < design.processes().size(); ++i)
             processes_.emplace_back(network_.recorder(i), network_.events()[i]);
         for (std::size_t i = 0; i < processes_.size(); ++i)

@@ -33,7 +33,8 @@ void HlsDesign::complete() {
                              ", expected another for one of them");
         if (stream->bits() == 0)
             throw InputError("stream " + name + " carries a struct, whose memory is more than its wires, expected " +
-                             "static constexpr unsigned bits = ... in it, which says how many those are");
+                             "static constexpr unsigned bits = ... in it, which says how many those are, or " +
+                             "template <> constexpr unsigned faster_bits<ITS TYPE> = ... behind it");
         if (stream->has_token())
             throw InputError("stream " + name + " holds a token before a process has begun, expected only processes " +
                              "to write it");

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <deque>
 #include <iostream>
+#include <sstream>  // the tools' has it, and some rely on that
 #include <string>
 #include <utility>
 

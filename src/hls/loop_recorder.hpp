@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "dataflow/base/byte_stream.hpp"
 #include "hls/observer.hpp"
 
 namespace dataflow::untimed {
@@ -75,6 +76,10 @@ class LoopRecorder {
     void end();
     /// All that has happened since the last call. The function has returned, or is stuck.
     Events take();
+
+    /// What it has taken down of a function, for another process of the program.
+    void send(ValueWriter& bytes) const { bytes.put(around_, loops_, groups_, attempts_, attempts_in_, before_reads_); }
+    void receive(ValueReader& bytes) { bytes.get(around_, loops_, groups_, attempts_, attempts_in_, before_reads_); }
 
     /// Loops that have had a marked one in them.
     LoopNames const& around() const { return around_; }

@@ -3,12 +3,15 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <new>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include "dataflow/base/as_mistake.hpp"
 #include "dataflow/base/input_error.hpp"
+#include "dataflow/base/process_pool.hpp"
 
 namespace dataflow::untimed {
 
@@ -204,6 +207,55 @@ void UntimedNetwork::run() {
     events_.clear();
     for (auto const& recorder : recorders_)
         events_.push_back(recorder->take());
+}
+
+void UntimedNetwork::run_apart() {
+    using processes::Outcome;
+    processes::SignalWatch const watch;
+    Outcome outcome = processes::run_all({{[this] { return sent_run(); }}}, 1, watch).front();
+    if (outcome.kind != Outcome::Kind::done)
+        throw InputError(std::string("a function of the design has ended its process, ") +
+                         (outcome.kind == Outcome::Kind::crashed ? "by signal " + std::to_string(outcome.signal)
+                          : outcome.kind == Outcome::Kind::failed
+                              ? "with exit code " + std::to_string(outcome.exit_code)
+                              : "which took more than an hour") +
+                         ", expected functions that return");
+    receive(std::move(outcome.output));
+}
+
+/// What has been thrown, or nothing, and what was done.
+std::string UntimedNetwork::sent_run() {
+    bool is_of_host = false;
+    std::optional<std::string> error;
+    try {
+        run();
+    } catch (HostError const& refusal) {
+        is_of_host = true;
+        error = refusal.what();
+    } catch (InputError const& mistake) {
+        error = mistake.what();
+    } catch (std::bad_alloc const&) {
+        is_of_host = true;
+        error = "no memory for the functions of the design, expected more of it";
+    }
+    ValueWriter bytes;
+    bytes.put(error, is_of_host, events_, waiting_);
+    for (auto const& recorder : recorders_)
+        recorder->send(bytes);
+    return bytes.bytes();
+}
+
+void UntimedNetwork::receive(std::string bytes) {
+    ValueReader reader(std::move(bytes));
+    bool is_of_host = false;
+    std::optional<std::string> error;
+    reader.get(error, is_of_host, events_, waiting_);
+    if (error && is_of_host)
+        throw HostError(*error);
+    if (error)
+        throw InputError(*error);
+    for (auto const& recorder : recorders_)
+        recorder->receive(reader);
 }
 
 }  // namespace dataflow::untimed

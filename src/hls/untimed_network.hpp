@@ -43,6 +43,10 @@ class UntimedNetwork {
 
     /// Calls each function once. Those that are left waiting for tokens that nobody writes are given up.
     void run();
+    /// So does this, in a process of its own: static variables of the functions stay as they are. Of what was done all
+    /// is known but the tokens.
+    ///   errors  InputError also for a function that ends that process
+    void run_apart();
     /// Those were, as "a waits for b, c waits for d", each a process and its stream.
     std::string const& waiting() const { return waiting_; }
     /// What each has done in the last run, by process.
@@ -52,6 +56,9 @@ class UntimedNetwork {
     std::vector<std::vector<std::int64_t>>& written() { return written_; }
 
   private:
+    std::string sent_run();
+    void receive(std::string bytes);
+
     class Baton;
     class Watcher;
 

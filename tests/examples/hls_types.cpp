@@ -2,6 +2,7 @@
 // functions that run without time.
 #include <ap_fixed.h>
 #include <ap_int.h>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <faster_hls.h>
@@ -296,7 +297,33 @@ template <class Design> dataflow::CoreDescription described() {
     });
 }
 
+/// Keeps what C++ lets a function keep from call to call.
+struct Remembers : dataflow::HlsDesign {
+    static int& calls() {
+        static int number = 0;
+        return number;
+    }
+    hls::stream<int> word{"word"};
+    Remembers() {
+        process("source", [this] { word.write(++calls()); });
+        process("sink", [this] { word.read(); });
+    }
+};
+
+/// Ends the program.
+struct Crashes : dataflow::HlsDesign {
+    hls::stream<int> word{"word"};
+    Crashes() {
+        process("source", [] { std::raise(SIGKILL); });
+        process("sink", [this] { word.read(); });
+    }
+};
+
 void check_descriptions() {
+    check(described<Remembers>().modules.size() == 2 && Remembers::calls() == 0, "to be described is no call");
+    check(is_refused([] { described<Crashes>(); },
+                     "a function of the design has ended its process, by signal 9, expected functions that return"),
+          "a function that crashes");
     check(is_refused([] { described<TwoStreams>(); }, "stream unused of the design is not used with the defaults"),
           "a stream that nobody uses");
     check(is_refused([] { described<NobodyReads>(); }, "stream word of the design is not read with the defaults"),
@@ -309,6 +336,47 @@ void check_descriptions() {
             check(end.write_latency == (end.fifo == "behind" ? 1U : 0U), "a stage in the order of the body");
             check(end.may_keep_tokens == (end.fifo == "behind"), "tokens that may be left");
         }
+}
+
+/// A quotient has the dividend's fraction, cut towards 0; by fewer bits of fraction than none, more.
+void check_quotients() {
+    ap_fixed<16, 8> const tall = 1.5, low = -2.25;
+    ap_fixed<30, 15> quotient = tall / low;
+    check(quotient.to_double() == -0.6640625, "cut towards 0");
+    check((ap_fixed<16, 12>(12.5) / ap_fixed<16, 8>(1.0)).to_double() == 12.5, "of the dividend's fraction");
+    check((ap_fixed<8, 4>(-7.5) / 2).to_double() == -3.75 && (7 / ap_ufixed<8, 4>(1.5)).to_double() == 4,
+          "of integers");
+    check((ap_fixed<8, 4>(5.0) / ap_fixed<8, 10>(12)).to_double() == 0.40625, "by a number without its lowest bits");
+    ap_fixed<16, 8> divided = 10;
+    divided /= low;
+    check(divided.to_double() == -4.44140625, "in place");
+    ap_fixed<70, 20> const wide = 3;
+    quotient = wide / tall;
+    check(quotient.to_double() == 2, "a wide one");
+}
+
+struct Complex {
+    float real, imaginary;
+};
+struct Padded {
+    float value;
+    bool is_last;
+};
+struct Measured {
+    int cells = 0;
+    int length() const { return cells; }
+};
+
+}  // namespace
+
+template <> constexpr unsigned faster_bits<Padded> = 33;
+
+namespace {
+
+void check_widths_of_structs() {
+    check(hls::stream<Complex>().bits() == 64, "all of its memory");
+    check(hls::stream<Padded>().bits() == 33, "as is said beside it");
+    check(hls::stream<Measured>().bits() == 32, "no number, though it has a length");
 }
 
 void check_shown_tokens() {
@@ -352,5 +420,7 @@ int sc_main(int /*argc*/, char** /*argv*/) {
     check_loops_around_others();
     check_streams_of_nobody();
     check_shown_tokens();
+    check_quotients();
+    check_widths_of_structs();
     return failures;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
 #include "dataflow/base/printable.hpp"
@@ -18,51 +17,28 @@ namespace faster::experiments {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
 class ExperimentReader {
   public:
     explicit ExperimentReader(std::filesystem::path const& file) : cells_(file.parent_path(), faults_) {
         experiment_.file = file.string();
     }
 
-    Experiment experiment(YAML::Node const& root) {
-        if (!root.IsMap())
-            throw InputError(fmt::format("{}:1: {}, expected an experiment: a map with {}", experiment_.file,
-                                         shown(root), fmt::join(top_names(), ", ")));
-        for (MapEntry const& entry : read_entries(root, "", faults_))
-            read_entry(entry);
-        require_given(faults_, given_, {"format", "version", "scenes", "methods"});
+    Experiment experiment() {
+        read_top(experiment_.file, "an experiment", "faster-experiment",
+                 {{"base", [this](MapEntry const& entry) { read_path(entry, experiment_.base); }},
+                  {"set", [this](MapEntry const& entry) { experiment_.settings = settings(entry, "set."); }},
+                  {"seed",
+                   [this](MapEntry const& entry) {
+                       experiment_.seed = static_cast<std::uint64_t>(integer(entry, 0, 1'000'000'000));
+                   }},
+                  {"scenes", [this](MapEntry const& entry) { read_scenes(entry); }},
+                  {"methods", [this](MapEntry const& entry) { read_methods(entry); }}},
+                 {"scenes", "methods"}, faults_);
         throw_first_of(faults_, experiment_.file);
         return experiment_;
     }
 
-    static Names const& top_names() {
-        static Names const names{"format", "version", "base", "set", "seed", "scenes", "methods"};
-        return names;
-    }
-
   private:
-    void read_entry(MapEntry const& entry) {
-        given_.push_back(entry.name);
-        if (entry.name == "format")
-            require_word(faults_, entry, "faster-experiment");
-        else if (entry.name == "version")
-            require_word(faults_, entry, "1");
-        else if (entry.name == "base")
-            read_path(entry, experiment_.base);
-        else if (entry.name == "set")
-            experiment_.settings = settings(entry, "set.");
-        else if (entry.name == "seed")
-            experiment_.seed = static_cast<std::uint64_t>(integer(entry, 0, 1'000'000'000));
-        else if (entry.name == "scenes")
-            read_scenes(entry);
-        else if (entry.name == "methods")
-            read_methods(entry);
-        else
-            reject_name(faults_, entry, top_names());
-    }
-
     void read_path(MapEntry const& entry, std::filesystem::path& path) {
         if (auto const read = cells_.path(entry.name, entry.value, entry.line))
             path = *read;
@@ -139,32 +115,25 @@ class ExperimentReader {
         std::size_t const faults_before = faults_.size();
         Setting setting;
         setting.name = map.name;
-        static Names const names{"dataset", "models", "objects", "images", "visible", "boxes"};
-        std::string of_made_scenes;  // the first such key
-        for (MapEntry const& entry : read_entries(map.value, "scenes." + map.name + ".", faults_)) {
-            if (entry.name != "dataset" && entry.name != "boxes" && of_made_scenes.empty())
-                of_made_scenes = entry.name;
-            if (entry.name == "dataset")
-                read_folder(entry, setting.dataset);
-            else if (entry.name == "models")
-                read_folder(entry, setting.models);
-            else if (entry.name == "objects")
-                setting.objects = objects(entry);
-            else if (entry.name == "images")
-                setting.images = static_cast<int>(integer(entry, 1, 100'000));
-            else if (entry.name == "visible")
-                read_visible(entry, setting);
-            else if (entry.name == "boxes")
-                read_boxes(entry, setting.boxes);
-            else
-                reject_name(faults_, entry, names);
-        }
+        std::vector<MapEntry> const entries = read_entries(map.value, "scenes." + map.name + ".", faults_);
+        read_each(
+            entries,
+            {{"dataset", [&](MapEntry const& entry) { read_folder(entry, setting.dataset); }},
+             {"models", [&](MapEntry const& entry) { read_folder(entry, setting.models); }},
+             {"objects", [&](MapEntry const& entry) { setting.objects = objects(entry); }},
+             {"images", [&](MapEntry const& entry) { setting.images = static_cast<int>(integer(entry, 1, 100'000)); }},
+             {"visible", [&](MapEntry const& entry) { read_visible(entry, setting); }},
+             {"boxes", [&](MapEntry const& entry) { read_boxes(entry, setting.boxes); }}},
+            faults_);
+        auto const of_made_scenes = std::find_if(entries.begin(), entries.end(), [](MapEntry const& entry) {
+            return entry.name != "dataset" && entry.name != "boxes";
+        });
         bool const is_either = setting.dataset.empty() != (setting.objects.empty() || setting.images == 0);
         if (!is_either && faults_.size() == faults_before)
             faults_.push_back({map.line, map.name, std::nullopt, "expected either dataset, or objects and images"});
-        else if (!setting.dataset.empty() && !of_made_scenes.empty() && faults_.size() == faults_before)
+        else if (!setting.dataset.empty() && of_made_scenes != entries.end() && faults_.size() == faults_before)
             faults_.push_back({map.line, map.name, std::nullopt,
-                               "has " + of_made_scenes + ", expected none beside dataset, which brings its own"});
+                               "has " + of_made_scenes->name + ", expected none beside dataset, which brings its own"});
         experiment_.scenes.push_back(std::move(setting));
     }
 
@@ -197,33 +166,23 @@ class ExperimentReader {
     }
 
     void read_boxes(MapEntry const& map, DetectorModel& boxes) {
-        static Names const names{"shift", "scale", "missing", "wrong"};
         if (!map.value.IsMap())
             return reject(faults_, map, "a map with shift, scale, missing, wrong");
-        for (MapEntry const& entry : read_entries(map.value, map.name + ".", faults_)) {
-            if (entry.name == "shift")
-                boxes.shift = number(entry, 0, 10);
-            else if (entry.name == "scale")
-                boxes.scale = number(entry, 0, 3);
-            else if (entry.name == "missing")
-                boxes.missing = number(entry, 0, 1);
-            else if (entry.name == "wrong")
-                boxes.wrong = number(entry, 0, 1);
-            else
-                reject_name(faults_, entry, names);
-        }
+        read_each(read_entries(map.value, map.name + ".", faults_),
+                  {{"shift", [&](MapEntry const& entry) { boxes.shift = number(entry, 0, 10); }},
+                   {"scale", [&](MapEntry const& entry) { boxes.scale = number(entry, 0, 3); }},
+                   {"missing", [&](MapEntry const& entry) { boxes.missing = number(entry, 0, 1); }},
+                   {"wrong", [&](MapEntry const& entry) { boxes.wrong = number(entry, 0, 1); }}},
+                  faults_);
     }
 
     KeyFaults faults_;
     sweeps::KeyCells cells_;
     Experiment experiment_;
-    Names given_;
 };
 
 }  // namespace
 
-Experiment read_experiment_file(std::filesystem::path const& path) {
-    return ExperimentReader(path).experiment(load_document(path, "an experiment file", ExperimentReader::top_names()));
-}
+Experiment read_experiment_file(std::filesystem::path const& path) { return ExperimentReader(path).experiment(); }
 
 }  // namespace faster::experiments

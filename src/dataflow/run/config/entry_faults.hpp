@@ -1,4 +1,6 @@
 #pragma once
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -7,16 +9,24 @@
 
 namespace dataflow {
 
-/// What readers of files with maps in them (budgets, sweeps, experiments) say of an entry, added to `faults`.
+/// For readers of files with maps in them (budgets, sweeps, experiments). What they say of entries is added to
+/// `faults`.
 
-/// Its value is not as `expected`.
+/// The entry's value is not as `expected`.
 void reject(KeyFaults& faults, MapEntry const& entry, std::string const& expected);
-/// Nothing is called so; `names` are what there is.
-void reject_name(KeyFaults& faults, MapEntry const& entry, std::vector<std::string> const& names);
-void require_word(KeyFaults& faults, MapEntry const& entry, std::string const& word);
-/// What stands at the top of a file must have the names that are `needed`. Not looked for behind other faults: what is
-/// missing may be what is misspelt.
-void require_given(KeyFaults& faults, std::vector<std::string> const& given, std::vector<std::string> const& needed);
+
+/// What takes the value of an entry of that name.
+struct EntryReader {
+    std::string name;
+    std::function<void(MapEntry const&)> read;
+};
+/// Hands each entry to the reader of its name. There should be no entries of other names.
+void read_each(std::vector<MapEntry> const& entries, std::vector<EntryReader> const& readers, KeyFaults& faults);
+/// Reads a file that is `what` ("a sweep") and has the value `format` ("faster-sweep") at its key of that name. At its
+/// top are format, version and the names of `readers`, of which those that are `needed` must be there. They are not
+/// looked for behind other faults: what is missing may be what is misspelt. Throws InputError for what is no map.
+void read_top(std::filesystem::path const& file, std::string const& what, std::string const& format,
+              std::vector<EntryReader> readers, std::vector<std::string> needed, KeyFaults& faults);
 
 /// "FILE:LINE: KEY = VALUE, expected ...", of each.
 std::vector<std::string> messages_of(KeyFaults const& faults, std::string const& file);

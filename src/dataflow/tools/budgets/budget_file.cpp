@@ -5,7 +5,6 @@
 #include <vector>
 #include <yaml-cpp/yaml.h>
 
-#include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
 #include "dataflow/base/printable.hpp"
@@ -177,21 +176,23 @@ std::vector<Limit> read_limits(YAML::Node const& limits, KeyFaults& faults) {
     return read;
 }
 
-std::vector<std::string> const budget_keys{"format", "version", "configuration", "set",
-                                           "trace",  "limits",  "time_limit_s",  "baseline"};
 constexpr double longest_time_limit_s = 86400;
 
 class BudgetReader {
   public:
     BudgetReader(std::filesystem::path const& file, BaselineNeed need) : need_(need) { budget_.file = file; }
 
-    Budget read(YAML::Node const& root) {
-        if (!root.IsMap())
-            throw InputError(fmt::format("{}:1: {}, expected a budget: a map with {}", budget_.file.string(),
-                                         shown(root), fmt::join(budget_keys, ", ")));
-        for (MapEntry const& entry : read_entries(root, "", faults_))
-            read_entry(entry);
-        require_given(faults_, given_, {"format", "version", "configuration", "limits"});
+    Budget read() {
+        read_top(
+            budget_.file, "a budget", "faster-budget",
+            {{"configuration", [this](MapEntry const& entry) { read_path(entry, budget_.configuration); }},
+             {"set", [this](MapEntry const& entry) { read_overrides(entry); }},
+             {"trace", [this](MapEntry const& entry) { read_path(entry, budget_.trace); }},
+             {"limits", [this](MapEntry const& entry) { read_all_limits(entry); }},
+             {"time_limit_s", [this](MapEntry const& entry) { read_time_limit(entry); }},
+             {"baseline",
+              [this](MapEntry const& entry) { budget_.baseline = read_baseline(entry.value, entry.line, faults_); }}},
+            {"configuration", "limits"}, faults_);
         check_references();
         throw_first_of(faults_, budget_.file.string());
         require_baseline();
@@ -199,28 +200,6 @@ class BudgetReader {
     }
 
   private:
-    void read_entry(MapEntry const& entry) {
-        given_.push_back(entry.name);
-        if (entry.name == "format")
-            require_word(faults_, entry, "faster-budget");
-        else if (entry.name == "version")
-            require_word(faults_, entry, "1");
-        else if (entry.name == "configuration")
-            read_path(entry, budget_.configuration);
-        else if (entry.name == "trace")
-            read_path(entry, budget_.trace);
-        else if (entry.name == "set")
-            read_overrides(entry);
-        else if (entry.name == "time_limit_s")
-            read_time_limit(entry);
-        else if (entry.name == "limits")
-            read_all_limits(entry);
-        else if (entry.name == "baseline")
-            budget_.baseline = read_baseline(entry.value, entry.line, faults_);
-        else
-            reject_name(faults_, entry, budget_keys);
-    }
-
     void read_path(MapEntry const& entry, std::string& path) {
         if (!entry.value.IsScalar() || entry.value.Scalar().empty())
             reject(faults_, entry, "a path, relative to the budget's folder");
@@ -272,11 +251,9 @@ class BudgetReader {
         budget_.limits = read_limits(entry.value, faults_);
     }
 
-    bool is_given(char const* key) const { return std::find(given_.begin(), given_.end(), key) != given_.end(); }
-
     /// The last fault of all: --update, which writes it, is of use once the others are mended.
     void require_baseline() {
-        if (need_ == BaselineNeed::required && !is_given("baseline"))
+        if (need_ == BaselineNeed::required && !budget_.baseline)
             throw InputError(
                 fmt::format("{0}:1: baseline: missing, expected one; {1} check {0} --update --reason TEXT writes it",
                             budget_.file.string(), program_name()));
@@ -300,13 +277,10 @@ class BudgetReader {
     BaselineNeed need_;
     Budget budget_;
     KeyFaults faults_;
-    std::vector<std::string> given_;
 };
 
 }  // namespace
 
-Budget read_budget(std::filesystem::path const& file, BaselineNeed need) {
-    return BudgetReader(file, need).read(load_document(file, "a budget file", budget_keys));
-}
+Budget read_budget(std::filesystem::path const& file, BaselineNeed need) { return BudgetReader(file, need).read(); }
 
 }  // namespace dataflow::budgets

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "dataflow/base/files/yaml_document.hpp"
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/run/config/entry_faults.hpp"
 #include "dataflow/run/config/keys.hpp"
@@ -17,44 +16,24 @@ namespace dataflow::sweeps {
 
 namespace {
 
-std::vector<std::string> const keys{"format", "version", "base", "set", "dimensions"};
-
 class SweepReader {
   public:
     explicit SweepReader(std::filesystem::path const& file) : cells_(file.parent_path(), faults_) {
         sweep_.file = file.string();
     }
 
-    Sweep sweep(YAML::Node const& root) {
-        if (!root.IsMap())
-            throw InputError(fmt::format("{}:1: {}, expected a sweep: a map with {}", sweep_.file, shown(root),
-                                         fmt::join(keys, ", ")));
-        for (MapEntry const& entry : read_entries(root, "", faults_))
-            read_entry(entry);
-        throw_first_of(faults_, sweep_.file);
-        require_given(faults_, given_, {"format", "version", "dimensions"});
+    Sweep sweep() {
+        read_top(sweep_.file, "a sweep", "faster-sweep",
+                 {{"base", [this](MapEntry const& entry) { read_base(entry); }},
+                  {"set", [this](MapEntry const& entry) { read_settings(entry); }},
+                  {"dimensions", [this](MapEntry const& entry) { read_dimensions(entry); }}},
+                 {"dimensions"}, faults_);
         throw_first_of(faults_, sweep_.file);
         check_size();
         return sweep_;
     }
 
   private:
-    void read_entry(MapEntry const& entry) {
-        given_.push_back(entry.name);
-        if (entry.name == "format")
-            require_word(faults_, entry, "faster-sweep");
-        else if (entry.name == "version")
-            require_word(faults_, entry, "1");
-        else if (entry.name == "base")
-            read_base(entry);
-        else if (entry.name == "set")
-            read_settings(entry);
-        else if (entry.name == "dimensions")
-            read_dimensions(entry);
-        else
-            reject_name(faults_, entry, keys);
-    }
-
     void read_base(MapEntry const& entry) {
         if (auto const path = cells_.path(entry.name, entry.value, entry.line))
             sweep_.base = *path;
@@ -102,14 +81,11 @@ class SweepReader {
     KeyFaults faults_;
     KeyCells cells_;
     Sweep sweep_;
-    std::vector<std::string> given_;
     std::map<std::string, int> columns_;
 };
 
 }  // namespace
 
-Sweep read_sweep_file(std::filesystem::path const& path) {
-    return SweepReader(path).sweep(load_document(path, "a sweep file", keys));
-}
+Sweep read_sweep_file(std::filesystem::path const& path) { return SweepReader(path).sweep(); }
 
 }  // namespace dataflow::sweeps

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "dataflow/base/printable.hpp"
+#include "dataflow/run/config/entry_faults.hpp"
 #include "dataflow/run/config/plain_text.hpp"
 
 namespace dataflow::sweeps {
@@ -13,7 +14,7 @@ void ValueLists::fault(int line, std::string const& key, std::string const& prob
 }
 
 void ValueLists::reject(MapEntry const& entry, std::string const& expected) const {
-    cells_.faults().push_back({entry.line, entry.name, shown(entry.value), "expected " + expected});
+    dataflow::reject(cells_.faults(), entry, expected);
 }
 
 std::vector<Cell> ValueLists::cells_of(Key const& key, MapEntry const& list, bool distinct) const {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
 #include <vector>
 
 #include "dataflow/base/files/durable_file.hpp"
@@ -31,44 +32,31 @@ namespace dataflow {
 
 namespace {
 
-std::size_t count_of(sweeps::PointResult::Status status, sweeps::Manifest const& manifest,
-                     sweeps::Results const& results) {
-    std::size_t count = 0;
-    for (sweeps::Manifest::Point const& point : manifest.points) {
-        auto const found = results.find(point.id);
-        if (found != results.end() && found->second.status == status)
-            ++count;
-    }
-    return count;
-}
+using sweeps::PointResult;
 
-void name_first_failed(sweeps::Manifest const& manifest, sweeps::Results const& results, std::size_t count) {
-    for (std::size_t i = 0; i < manifest.points.size(); ++i) {
-        auto const found = results.find(manifest.points[i].id);
-        if (found == results.end() || found->second.status != sweeps::PointResult::Status::failed)
-            continue;
-        warn("{}: {} points failed, the first is {}: {}\n", program_name(), count, manifest.name(i),
-             found->second.message);
-        return;
-    }
-}
+bool has_failed(PointResult const& result) { return result.status == PointResult::Status::failed; }
+bool is_wanted(PointResult const&) { return false; }
 
 /// Writes table and page of a sweep, and says so. The points that failed are named on stderr. Returns the exit code.
 int write_sweep_outputs(sweeps::SweepFolder const& folder, sweeps::Manifest const& manifest,
                         sweeps::Results const& results) {
     io::write_file_durably(folder.table(), sweeps::results_csv(manifest, results));
     io::write_file_durably(folder.page(), sweeps::sweep_page(manifest, results));
-    std::size_t const failed = count_of(sweeps::PointResult::Status::failed, manifest, results);
-    std::size_t const done = count_of(sweeps::PointResult::Status::done, manifest, results);
-    std::size_t const deadlocked = count_of(sweeps::PointResult::Status::deadlock, manifest, results);
-    std::size_t const all = manifest.points.size(), there = done + deadlocked + failed;
+    std::vector<sweeps::PointWithResult> const there = sweeps::points_with_results(manifest, results);
+    std::map<PointResult::Status, std::size_t> counts;
+    for (sweeps::PointWithResult const& point : there)
+        ++counts[point.result.status];
+    std::size_t const failed = counts[PointResult::Status::failed], all = manifest.points.size();
     say("{}{} points: {} done, {} deadlocked, {} failed\nwritten: {}, {}\n",
-        there < all ? fmt::format("{} of ", there) : "", all, done, deadlocked, failed, folder.table().string(),
-        folder.page().string());
-    if (failed == 0)
-        return exit_done;
-    name_first_failed(manifest, results, failed);
-    return exit_failed_check;
+        there.size() < all ? fmt::format("{} of ", there.size()) : "", all, counts[PointResult::Status::done],
+        counts[PointResult::Status::deadlock], failed, folder.table().string(), folder.page().string());
+    for (auto const& [i, result] : there)
+        if (has_failed(result)) {
+            warn("{}: {} points failed, the first is {}: {}\n", program_name(), failed, manifest.name(i),
+                 result.message);
+            return exit_failed_check;
+        }
+    return exit_done;
 }
 
 /// `faster-sim sweep merge`.
@@ -104,8 +92,6 @@ int merge_sweeps(SweepMergeRequest const& request) {
     name_missing(merged);
     return exit_failed_check;
 }
-
-using sweeps::PointResult;
 
 sweeps::Shard shard_of(std::string const& text) {
     if (text.empty())
@@ -155,9 +141,6 @@ sweeps::Manifest manifest_of(sweeps::Sweep const& sweep, std::vector<sweeps::Poi
         manifest.points.push_back({identities[i].point, sweep.values(i)});
     return manifest;
 }
-
-bool has_failed(PointResult const& result) { return result.status == PointResult::Status::failed; }
-bool is_wanted(PointResult const&) { return false; }
 
 void say_what_is_there(sweeps::Journal<PointResult> const& journal, std::size_t points, std::size_t pending) {
     if (journal.damaged() > 0)

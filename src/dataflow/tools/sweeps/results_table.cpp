@@ -30,6 +30,14 @@ std::vector<std::string> const& result_columns() {
     return columns;
 }
 
+std::vector<PointWithResult> points_with_results(Manifest const& manifest, Results const& results) {
+    std::vector<PointWithResult> points;
+    for (std::size_t i = 0; i < manifest.points.size(); ++i)
+        if (auto const found = results.find(manifest.points[i].id); found != results.end())
+            points.push_back({i, found->second});
+    return points;
+}
+
 std::string results_csv(Manifest const& manifest, Results const& results) {
     std::string text = "point";
     for (std::string const& column : manifest.columns)
@@ -37,17 +45,14 @@ std::string results_csv(Manifest const& manifest, Results const& results) {
     for (std::size_t i = 1; i < result_columns().size(); ++i)
         text += "," + result_columns()[i];
     text += "\n";
-    for (std::size_t i = 0; i < manifest.points.size(); ++i) {
-        auto const found = results.find(manifest.points[i].id);
-        if (found == results.end())
-            continue;
+    for (auto const& [i, result] : points_with_results(manifest, results)) {
         text += std::to_string(i);
         for (std::string const& value : manifest.points[i].values)
             text += "," + csv_cell(value);
-        text += fmt::format(",{}", enumerator_name(found->second.status));
+        text += fmt::format(",{}", enumerator_name(result.status));
         for (ResultFigure const& figure : result_figures)
-            text += "," + cell(figure, found->second);
-        text += "," + csv_cell(found->second.message) + "\n";
+            text += "," + cell(figure, result);
+        text += "," + csv_cell(result.message) + "\n";
     }
     return text;
 }

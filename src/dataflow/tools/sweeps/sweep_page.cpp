@@ -6,6 +6,7 @@
 #include "dataflow/tools/report/html/fill_page.hpp"
 #include "dataflow/tools/report/provenance.hpp"
 #include "dataflow/tools/sweeps/page.hpp"
+#include "dataflow/tools/sweeps/results_table.hpp"
 
 namespace dataflow::sweeps {
 
@@ -13,12 +14,9 @@ namespace {
 
 Json points_json(Manifest const& manifest, Results const& results) {
     Json points = Json::array();
-    for (std::size_t i = 0; i < manifest.points.size(); ++i) {
-        auto const found = results.find(manifest.points[i].id);
-        if (found == results.end())
-            continue;
+    for (auto const& [i, result] : points_with_results(manifest, results)) {
         Json point{{"point", i}, {"values", manifest.points[i].values}};
-        point.update(to_json(found->second));
+        point.update(to_json(result));
         points.push_back(point);
     }
     return points;

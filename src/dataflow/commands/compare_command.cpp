@@ -36,8 +36,7 @@ int compare(CompareRequest const& request) {
     if (json)
         json->commit(runs::comparison_json(comparison));
     say("{}", runs::comparison_text(comparison, static_cast<std::size_t>(request.top)));
-    if (json)
-        say("\nwritten: {}\n", request.json);
+    say_written({request.json});
     return comparison.is_functionally_equal() ? exit_done : exit_failed_check;
 }
 

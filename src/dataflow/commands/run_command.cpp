@@ -258,9 +258,7 @@ int run(RunRequest const& request, RunExtras& extras) {
     if (outputs.report)
         write_report(*outputs.report, request.config, loaded, statistics, recorded, report_samples, extras);
     say("{}", report::text_report(statistics, host));
-    for (std::string const& written : {request.out, request.report, request.events, written_files(request.recording)})
-        if (!written.empty())
-            say("\nwritten: {}\n", written);
+    say_written({request.out, request.report, request.events, written_files(request.recording)});
     return exit_done;
 }
 

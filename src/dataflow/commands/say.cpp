@@ -35,6 +35,12 @@ void say_warnings(std::vector<std::string> const& warnings) {
         warn("{}: warning: {}\n", program_name(), message_line(warning));
 }
 
+void say_written(std::vector<std::string> const& names) {
+    for (std::string const& name : names)
+        if (!name.empty())
+            say("\nwritten: {}\n", name);
+}
+
 void finish_saying() {
     if (std::fflush(stdout) != 0)
         fail();

@@ -25,6 +25,9 @@ template <class... Arguments> void warn(fmt::format_string<Arguments...> format,
 /// To stderr, a line each: what looks like a mistake of the input, and lets it be used all the same.
 void say_warnings(std::vector<std::string> const& warnings);
 
+/// Names the files and folders that a command has written. Empty names, of what it was not asked for, are left out.
+void say_written(std::vector<std::string> const& names);
+
 /// What was said has left the program. Throws InputError if it could not.
 void finish_saying();
 

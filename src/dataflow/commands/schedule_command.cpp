@@ -137,8 +137,7 @@ int write_schedule(ScheduleRequest const& request) {
     if (out)
         out->commit(exported_yaml(scheduled.config));
     say("{}", out ? text : as_comment(text) + exported_yaml(scheduled.config));
-    if (out)
-        say("\nwritten: {}\n", request.out);
+    say_written({request.out});
     return exit_done;
 }
 

@@ -68,9 +68,7 @@ int print_sensitivities(SensitivitiesRequest const& request) {
     if (json)
         json->commit(report::sensitivities_file_json(run));
     say("{}", report::sensitivities_text(run).substr(1));
-    for (std::string const& file : {request.csv, request.json})
-        if (!file.empty())
-            say("\nwritten: {}\n", file);
+    say_written({request.csv, request.json});
     return exit_done;
 }
 

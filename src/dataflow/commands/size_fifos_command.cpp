@@ -94,8 +94,7 @@ int print_fifo_sizes(SizeFifosRequest const& request) {
     if (folder)
         write_files(request, sizing, *folder);
     say("{}\nretimed {} times a core, in {:.1f} s\n", sizing::sizing_text(sizing), sizing.retimed_cores, seconds);
-    if (folder)
-        say("\nwritten: {}\n", request.out);
+    say_written({request.out});
     return exit_done;
 }
 

@@ -100,8 +100,7 @@ int retime_one(WhatifRequest const& request, events::EventFile const& recorded, 
                                     static_cast<std::size_t>(request.top)));
     if (request.full)
         say("\n{}", report::text_report(run, host));
-    if (folder)
-        say("\nwritten: {}\n", request.out);
+    say_written({request.out});
     return exit_done;
 }
 
@@ -158,8 +157,7 @@ int retime_matrix(WhatifRequest const& request, events::EventFile const& recorde
     if (csv)
         csv->commit(table.csv());
     say("{}", table.text());
-    if (csv)
-        say("\nwritten: {}\n", request.csv);
+    say_written({request.csv});
     return exit_done;
 }
 

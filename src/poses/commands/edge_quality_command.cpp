@@ -109,8 +109,7 @@ int edge_quality(EdgeQualityRequest const& request) {
         folder->commit();
     }
     say("{}", quality::survey_markdown(rows));
-    if (folder != nullptr)
-        say("\nwritten: {}\n", request.out);
+    say_written({request.out});
     return exit_done;
 }
 

@@ -102,11 +102,7 @@ int estimate_pose(EstimateRequest const& request) {
         folder->commit();
     }
     say("{}", estimate_text(report));
-    if (folder != nullptr)
-        say("\nwritten: {}\n", request.out);
-    for (std::string const& written : {request.events, written_files(request.recording)})
-        if (!written.empty())
-            say("\nwritten: {}\n", written);
+    say_written({request.out, request.events, written_files(request.recording)});
     return exit_done;
 }
 

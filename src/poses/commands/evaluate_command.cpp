@@ -183,8 +183,7 @@ poses::Evaluation evaluate(EvaluateRequest const& request) {
     if (folder)
         write(evaluation, *folder);
     say("{}", poses::evaluation_markdown(evaluation));
-    if (folder)
-        say("\nwritten: {}\n", request.out);
+    say_written({request.out});
     return evaluation;
 }
 

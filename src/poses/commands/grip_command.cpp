@@ -278,8 +278,7 @@ int grip_baseline(GripRequest const& request) {
         folder->commit();
     }
     say("{}", grip_text(comparison));
-    if (folder != nullptr)
-        say("\nwritten: {}\n", request.out);
+    say_written({request.out});
     return exit_done;
 }
 

@@ -1,25 +1,19 @@
 #include "dataflow/run/config/calls.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace dataflow {
 namespace {
 
 using When = FifoEnd::When;
 
-FifoEnd* find_end(CoreDescription& core, std::string const& fifo, bool writes) {
+/// Of a FIFO, behind its module; null if there is none.
+std::pair<ModuleDescription*, FifoEnd*> find_end(CoreDescription& core, std::string const& fifo, bool writes) {
     for (ModuleDescription& module : core.modules)
         for (FifoEnd& end : module.ends)
             if (end.fifo == fifo && end.writes == writes)
-                return &end;
-    return nullptr;
-}
-
-ModuleDescription& module_with(CoreDescription& core, std::string const& fifo, bool writes) {
-    return *std::find_if(core.modules.begin(), core.modules.end(), [&](ModuleDescription const& module) {
-        return std::any_of(module.ends.begin(), module.ends.end(),
-                           [&](FifoEnd const& end) { return end.fifo == fifo && end.writes == writes; });
-    });
+                return {&module, &end};
+    return {};
 }
 
 /// A token that a module hands to another in a cycle of their calls. Returns the end that writes it.
@@ -33,8 +27,8 @@ FifoEnd& add_hand_over(CoreDescription& core, std::string const& name, ModuleDes
 }
 
 void hand_over_buffers(CoreDescription& core, std::string const& name, MachineSettings const& settings) {
-    FifoEnd* const write = find_end(core, name, true);
-    FifoEnd* const read = find_end(core, name, false);
+    auto const [writer, write] = find_end(core, name, true);
+    auto const [reader, read] = find_end(core, name, false);
     if (read == nullptr)
         return;  // which is told as of any FIFO
     MemoryDescription memory;
@@ -46,10 +40,8 @@ void hand_over_buffers(CoreDescription& core, std::string const& name, MachineSe
     write->when = When::call_begins;
     write->sized_as = name;
     read->when = When::call_ends;
-    ModuleDescription& writer = module_with(core, name, true);
-    writer.memories.push_back(memory);
-    FifoEnd& filled = add_hand_over(core, filled_fifo(name), writer, When::call_ends, module_with(core, name, false),
-                                    When::call_begins);
+    writer->memories.push_back(memory);
+    FifoEnd& filled = add_hand_over(core, filled_fifo(name), *writer, When::call_ends, *reader, When::call_begins);
     filled.sized_as = name;
     filled.depth = buffers;
 }
@@ -59,7 +51,7 @@ void hand_over_buffers(CoreDescription& core, std::string const& name, MachineSe
 CoreDescription with_calls(CoreDescription core, MachineSettings const& settings) {
     core.has_calls = true;
     for (std::string const& fifo : std::vector<std::string>(core.fifos))
-        if (FifoEnd const* const end = find_end(core, fifo, true); end != nullptr && end->buffer_words > 0)
+        if (FifoEnd const* const end = find_end(core, fifo, true).second; end != nullptr && end->buffer_words > 0)
             hand_over_buffers(core, fifo, settings);
     for (std::size_t i = 1; settings.calls == CallOrder::in_turn && i < core.modules.size(); ++i) {
         std::string const name = core.modules[i].name;

@@ -117,10 +117,8 @@ class DesignCheck {
     }
 
     bool is_written(std::string const& fifo) const {
-        return std::any_of(core_.modules.begin(), core_.modules.end(), [&](ModuleDescription const& module) {
-            return std::any_of(module.ends.begin(), module.ends.end(),
-                               [&](FifoEnd const& end) { return end.writes && end.fifo == fifo; });
-        });
+        return std::any_of(core_.modules.begin(), core_.modules.end(),
+                           [&](ModuleDescription const& module) { return accesses(module, fifo, true); });
     }
 
     /// Neither is timed in the order of cycles.

@@ -39,22 +39,16 @@ struct ExploreRequest {
     bool force = false;                  ///< however long the run takes, whatever memory there is
 };
 
-struct Recorded {
-    LoadedConfig loaded;
-    replay::RecordedRun run;
-};
-
-Recorded read_recorded(ExploreRequest const& request) {
+events::EventFile read_recorded(ExploreRequest const& request) {
     if (!request.overrides.empty())
         throw InputError(request.input + ": --set " + request.overrides.front() +
                          ": expected no --set with an event file; the page has a control for each key");
-    events::EventFile file = events::read_event_file(request.input);
-    return {std::move(file.loaded), std::move(file.run)};
+    return events::read_event_file(request.input);
 }
 
-/// Nothing if it deadlocks, which has been said then.
-std::unique_ptr<Recorded> record(ExploreRequest const& request) {
-    auto recorded = std::make_unique<Recorded>();
+/// Without what came of it. Nothing if it deadlocks, which has been said then.
+std::unique_ptr<events::EventFile> record(ExploreRequest const& request) {
+    auto recorded = std::make_unique<events::EventFile>();
     recorded->loaded = load_config(request.input, request.overrides);
     auto const workload = simulated_design().load_workload(recorded->loaded);
     say_warnings(workload->warnings());
@@ -98,14 +92,15 @@ std::string host_name() {
 
 /// Returns the exit code: exit_deadlock if the configuration deadlocks. Throws InputError on bad input.
 int explore_run(ExploreRequest const& request) {
-    std::unique_ptr<Recorded> recorded =
-        is_event_file(request.input) ? std::make_unique<Recorded>(read_recorded(request)) : record(request);
+    std::unique_ptr<events::EventFile> recorded =
+        is_event_file(request.input) ? std::make_unique<events::EventFile>(read_recorded(request)) : record(request);
     if (!recorded)
         return exit_deadlock;
     std::atomic<bool> is_ending = false;
     explore::Exploration exploration(std::filesystem::path(request.input).filename().string(),
                                      std::move(recorded->loaded), std::move(recorded->run), require_room(request),
                                      [&is_ending](std::string const& yaml) { return run_again(yaml, is_ending); });
+    recorded.reset();  // its samples' figures are of no use
     explore::Answers answers(exploration);
     ExploreServer server(answers, request.port);
     say("{}\n\nOn another machine, open the same address after\n  ssh -N -L {}:127.0.0.1:{} {}\n\nCtrl-C ends it.\n",

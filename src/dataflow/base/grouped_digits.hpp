@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace dataflow {
@@ -13,8 +14,9 @@ inline std::string grouped_digits(std::string digits) {
     return digits;
 }
 
-/// For people, e.g. "2,479,934". Files have plain digits.
+/// For people, e.g. "2,479,934", or "-" for none. Files have plain digits.
 inline std::string grouped(std::uint64_t number) { return grouped_digits(std::to_string(number)); }
+inline std::string grouped(std::optional<std::uint64_t> number) { return number ? grouped(*number) : "-"; }
 
 /// With its sign, e.g. "-2,479,934"; none is "+0".
 inline std::string grouped_change(std::int64_t change) {

@@ -72,16 +72,13 @@ std::string figure_name(runs::Change const& change) {
     return change.item.empty() ? change.figure : change.item + "." + change.figure;
 }
 
-std::string value_text(std::optional<std::uint64_t> value) { return value ? grouped(*value) : "-"; }
-
 void changes(std::string& text, char const* title, std::vector<runs::Change> const& list, std::size_t top) {
     std::size_t const shown = std::min(top, list.size());
     for (std::size_t i = 0; i < shown; ++i) {
         runs::Change const& change = list[i];
-        auto const percent =
-            runs::percent_of(static_cast<double>(change.a.value_or(0)), static_cast<double>(change.b.value_or(0)));
-        put_line(text, "    {:<8} {}  {} -> {}  {}{}", i == 0 ? title : "", figure_name(change), value_text(change.a),
-                 value_text(change.b), grouped_change(change.difference()),
+        auto const percent = change.percent();
+        put_line(text, "    {:<8} {}  {} -> {}  {}{}", i == 0 ? title : "", figure_name(change), grouped(change.a),
+                 grouped(change.b), grouped_change(change.difference()),
                  percent ? fmt::format(" ({:+.2f} %)", *percent) : "");
     }
     if (shown < list.size())

@@ -26,6 +26,8 @@ struct Change {
 
     /// B - A.
     std::int64_t difference() const;
+    /// See percent_of().
+    std::optional<double> percent() const;
 };
 
 /// Largest absolute difference first.

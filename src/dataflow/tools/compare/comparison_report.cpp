@@ -22,8 +22,7 @@ Json figure(Change const& change) {
     return {{"a", or_null(change.a)},
             {"b", or_null(change.b)},
             {"difference", change.difference()},
-            {"percent", or_null(percent_of(static_cast<double>(change.a.value_or(0)),
-                                           static_cast<double>(change.b.value_or(0))))}};
+            {"percent", or_null(change.percent())}};
 }
 
 Json milliseconds(double a, double b) {
@@ -88,16 +87,11 @@ void table(std::string& text, std::vector<Row> const& rows) {
 
 Row heading() { return {"", "A", "B", "difference", "percent"}; }
 
-std::string percent_text(double a, double b) {
-    std::optional<double> const percent = percent_of(a, b);
-    return percent ? fmt::format("{:+.2f}", *percent) : "-";
-}
-
-std::string figure_text(std::optional<std::uint64_t> figure) { return figure ? grouped(*figure) : "-"; }
+std::string percent_text(std::optional<double> percent) { return percent ? fmt::format("{:+.2f}", *percent) : "-"; }
 
 Row row_of(std::string const& name, Change const& change) {
-    return {name, figure_text(change.a), figure_text(change.b), grouped_change(change.difference()),
-            percent_text(static_cast<double>(change.a.value_or(0)), static_cast<double>(change.b.value_or(0)))};
+    return {name, grouped(change.a), grouped(change.b), grouped_change(change.difference()),
+            percent_text(change.percent())};
 }
 
 void run_line(std::string& text, char const* name, RunHead const& run) {
@@ -128,11 +122,11 @@ void configuration(std::string& text, Comparison const& comparison, std::size_t 
 
 void headline(std::string& text, RunHead const& a, RunHead const& b) {
     put_line(text, "\nTotal");
-    table(text,
-          {heading(),
-           row_of("cycles", {"", "", a.total_cycles, b.total_cycles}),
-           {"ms", fmt::format("{:.3f}", a.milliseconds), fmt::format("{:.3f}", b.milliseconds),
-            fmt::format("{:+.3f}", b.milliseconds - a.milliseconds), percent_text(a.milliseconds, b.milliseconds)}});
+    table(text, {heading(),
+                 row_of("cycles", {"", "", a.total_cycles, b.total_cycles}),
+                 {"ms", fmt::format("{:.3f}", a.milliseconds), fmt::format("{:.3f}", b.milliseconds),
+                  fmt::format("{:+.3f}", b.milliseconds - a.milliseconds),
+                  percent_text(percent_of(a.milliseconds, b.milliseconds))}});
 }
 
 std::string counter_changes(SampleChange const& change) {

@@ -263,15 +263,10 @@ class BudgetReader {
     void check_references() {
         if (need_ == BaselineNeed::optional || !budget_.baseline)
             return;
-        for (Limit const& limit : budget_.limits) {
-            FigurePattern const pattern(limit.figure);
-            auto const& all = budget_.baseline->figures.all();
-            bool const found =
-                std::any_of(all.begin(), all.end(), [&](Figure const& figure) { return pattern.matches(figure.name); });
-            if (limit.needs_baseline() && !found)
+        for (Limit const& limit : budget_.limits)
+            if (limit.needs_baseline() && !FigurePattern(limit.figure).matches_any(budget_.baseline->figures))
                 faults_.push_back({limit.line, "limits." + limit.figure, std::nullopt,
                                    "no such figure in the baseline, expected one; --update --reason TEXT writes it"});
-        }
     }
 
     BaselineNeed need_;

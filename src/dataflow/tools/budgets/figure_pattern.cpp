@@ -78,6 +78,11 @@ bool FigurePattern::matches(std::string const& name) const {
     return parts.size() == parts_.size() && std::equal(parts_.begin(), parts_.end(), parts.begin(), part_matches);
 }
 
+bool FigurePattern::matches_any(Figures const& figures) const {
+    return std::any_of(figures.all().begin(), figures.all().end(),
+                       [this](Figure const& figure) { return matches(figure.name); });
+}
+
 bool FigurePattern::has_wildcard() const {
     return std::any_of(parts_.begin(), parts_.end(),
                        [](std::string const& part) { return part.find_first_of("*?[") != std::string::npos; });

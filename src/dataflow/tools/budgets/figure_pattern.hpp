@@ -14,6 +14,7 @@ class FigurePattern {
     explicit FigurePattern(std::string const& text)
         : parts_(split_at_points(text)), literal_beginning_(text.substr(0, text.find_first_of("*?[\\"))) {}
     bool matches(std::string const& name) const;
+    bool matches_any(Figures const& figures) const;
     bool has_wildcard() const;
 
   private:

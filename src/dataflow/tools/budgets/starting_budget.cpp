@@ -47,12 +47,6 @@ std::string head(Budget const& budget, std::string const& date) {
     return text;
 }
 
-bool has_any(Measurement const& measurement, char const* figures) {
-    FigurePattern const pattern(figures);
-    std::vector<Figure> const& all = measurement.figures.all();
-    return std::any_of(all.begin(), all.end(), [&](Figure const& figure) { return pattern.matches(figure.name); });
-}
-
 /// So many digits that rounding up adds less than a thousandth: the slack is what a limit leaves room for.
 std::string rounded_up(double microseconds) {
     int const decimals =
@@ -75,7 +69,7 @@ std::string limit_lines(Measurement const& measurement, GuardedFigures const& gu
             "  samples.*.latency_cycles: {{max: baseline, slack: {}}}\n{}",
             guarded.counter.empty() ? "" : ", and none may score differently", slack,
             guarded.counter.empty() ? "" : fmt::format("  samples.*.{}: {{exact: baseline}}\n", guarded.counter));
-    if (has_any(measurement, "loops.*.*.ii"))
+    if (FigurePattern("loops.*.*.ii").matches_any(measurement.figures))
         text +=
             "  # Every loop keeps its initiation interval; loops.MODULE.LOOP.\n"
             "  loops.*.*.ii: {max: baseline}\n";
@@ -88,7 +82,9 @@ std::string limit_lines(Measurement const& measurement, GuardedFigures const& gu
         "  # loops.*.*.*: {{exact: baseline}}\n"
         "  # modules.*.*: {{exact: baseline}}\n\n",
         guarded.module, slack,
-        has_any(measurement, "fifos.*.max_occupancy") ? "  fifos.*.max_occupancy: {max: baseline}\n" : "");
+        FigurePattern("fifos.*.max_occupancy").matches_any(measurement.figures)
+            ? "  fifos.*.max_occupancy: {max: baseline}\n"
+            : "");
     return text;
 }
 

@@ -53,6 +53,11 @@ inline void add_overrides(CLI::App& command, std::vector<std::string>& overrides
                  ->type_name("KEY=VALUE"));
 }
 
+/// Of commands on a recorded run.
+inline void add_events(CLI::App& command, std::string& events) {
+    command.add_option("events", events, "Event file of run --events")->required()->type_name("EVENTS");
+}
+
 /// Of work whose size is announced beforehand. `more`: what else it allows.
 inline void add_force(CLI::App& command, bool& force, std::string const& more = "") {
     command.add_flag("--force", force, "Do it even if it takes more than an hour or more memory than there is" + more);

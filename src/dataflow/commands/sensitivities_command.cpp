@@ -78,9 +78,7 @@ Subcommand sensitivities_command() {
     return {"sensitivities", "Say what one step of each timing key changes for a recorded run, and which have slack",
             [](CLI::App& command) {
                 auto const request = std::make_shared<SensitivitiesRequest>();
-                command.add_option("events", request->events, "Event file of run --events")
-                    ->required()
-                    ->type_name("EVENTS");
+                add_events(command, request->events);
                 command.add_option("--csv", request->csv, "Write a row per key and direction to this file")
                     ->type_name("FILE");
                 command.add_option("--json", request->json, "Write the same as JSON to this file")->type_name("FILE");

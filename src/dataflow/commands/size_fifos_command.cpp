@@ -105,9 +105,7 @@ Subcommand size_fifos_command() {
             "Find the cheapest FIFO depths with which a recorded run takes hardly longer than with unbounded ones",
             [](CLI::App& command) {
                 auto const request = std::make_shared<SizeFifosRequest>();
-                command.add_option("events", request->events, "Event file of run --events")
-                    ->required()
-                    ->type_name("EVENTS");
+                add_events(command, request->events);
                 command
                     .add_option("--within", request->within_percent,
                                 "How much longer than with unbounded FIFOs, in per cent")

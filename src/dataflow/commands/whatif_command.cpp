@@ -179,9 +179,7 @@ Subcommand whatif_command() {
     return {"whatif", "Say how long a recorded run would take with other timing, without running it",
             [](CLI::App& command) {
                 auto const request = std::make_shared<WhatifRequest>();
-                command.add_option("events", request->events, "Event file of run --events")
-                    ->required()
-                    ->type_name("EVENTS");
+                add_events(command, request->events);
                 add_overrides(command, request->overrides);
                 CLI::Option* const out = command.add_option("--out", request->out, "Write the files of run --out");
                 out->type_name("DIR");

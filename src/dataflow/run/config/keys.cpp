@@ -89,15 +89,19 @@ std::string probable_key(std::string_view name, KnownPart const& part) {
 
 bool is_of_memory(Key const& key) { return starts_with(key.name(), "accelerator.memory."); }
 
+template <class Chosen> Keys keys_that(Chosen const& chosen) {
+    Keys keys;
+    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys), chosen);
+    return keys;
+}
+
 /// Those of `chosen` that mean something.
 template <class Chosen> Keys active_keys(RunConfig const& config, Chosen const& chosen) {
     IdleKeys const idle = idle_keys(config);
     bool const has_memory = config.machine().external_memory.model != MemoryModel::ideal;
-    Keys keys;
-    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys), [&](Key const& key) {
+    return keys_that([&](Key const& key) {
         return chosen(key) && idle.decider_of(key.name()) == nullptr && (has_memory || !is_of_memory(key));
     });
-    return keys;
 }
 
 }  // namespace
@@ -124,10 +128,7 @@ Keys retimable_keys(RunConfig const& config) {
 }
 
 Keys retiming_keys() {
-    Keys keys;
-    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys),
-                 [](Key const& key) { return key.decides_time; });
-    return keys;
+    return keys_that([](Key const& key) { return key.decides_time; });
 }
 
 bool is_retimable(Key const& key, RunConfig const& config) {
@@ -146,10 +147,7 @@ bool decides_waits(Key const& key, RunConfig const& config) {
 }
 
 Keys figure_keys() {
-    Keys keys;
-    std::copy_if(all_keys().begin(), all_keys().end(), std::back_inserter(keys),
-                 [](Key const& key) { return key.of_runs && key.decides_figures; });
-    return keys;
+    return keys_that([](Key const& key) { return key.of_runs && key.decides_figures; });
 }
 
 Key const* find_key(std::string_view name) {

@@ -7,63 +7,18 @@
 
 #include "faster/dataflow_names.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/small_stimulus.hpp"
 
 namespace faster::testing::cycle_twin_test {
-
-AcceleratorConfig one_core() {
-    AcceleratorConfig config;
-    config.cores = 1;
-    return config;
-}
-
-/// `samples` samples without triangles around pixel (W/2, W/2), so that window and image coordinates are the same.
-Stimulus empty_stimulus(int window, int samples) {
-    Stimulus stimulus;
-    stimulus.width = 2 * window;
-    stimulus.height = 2 * window;
-    stimulus.window = window;
-    stimulus.observed_depth = Image<std::uint16_t>(stimulus.height, stimulus.width, 512);  // 1 m
-    stimulus.observed_edges = Image<std::uint8_t>(stimulus.height, stimulus.width, 1);
-    SampleInput sample;
-    sample.centre_row = window / 2;
-    sample.centre_col = window / 2;
-    stimulus.samples.assign(static_cast<std::size_t>(samples), sample);
-    return stimulus;
-}
-
-/// Adds a triangle at 1 m to all samples; corners in vertex_xy codes.
-void add_triangle(Stimulus& stimulus, VertexCode a, VertexCode b, VertexCode c) {
-    TriangleCode triangle{{a, b, c}};
-    for (VertexCode& vertex : triangle.vertex) {
-        vertex.z = 1U << 14;
-    }
-    stimulus.triangles.push_back(triangle);
-    for (SampleInput& sample : stimulus.samples) {
-        ++sample.triangle_count;
-    }
-}
-
-/// Corners, in pixels (row, col), (1, 1), (2, 1), (1, 2). Visits, in order, with what the scan sends:
-///   i0 (1,1) in   fragment, object     col_min: rightwards; prev_in is the start pixel's own, so no pending edge
-///   i1 (1,2) in   fragment, object
-///   i2 (1,3) out  edge                 right wall: next row, leftwards
-///   i3 (2,3) out  -                    a wall, but the line's start
-///   i4 (2,2) out  -
-///   i5 (2,1) in   fragment, object     left wall in the bottom row: ends, the pending edge (2,2) is lost
-Stimulus one_small_triangle() {
-    Stimulus stimulus = empty_stimulus(4, 1);
-    add_triangle(stimulus, {16, 16, 0}, {16, 32, 0}, {32, 16, 0});
-    return stimulus;
-}
 
 TwinFifo const& fifo_of(TwinResult const& result, FifoId id) { return result.fifos.at(0)[index_of(id)]; }
 TwinLoop const& loop_of(TwinResult const& result, LoopId id) { return result.loops.at(0)[index_of(id)]; }
 TwinProcess const& process_of(TwinResult const& result, ModuleId id) { return result.processes.at(0)[index_of(id)]; }
 
 TEST_CASE("The twin takes what the case by hand takes", "[cycle_twin]") {
-    CHECK(run_twin(one_core(), empty_stimulus(200, 1)).total_cycles == 160015);
-    CHECK(run_twin(one_core(), empty_stimulus(200, 2)).total_cycles == 160015 + 160010);
-    CHECK(run_twin(one_core(), empty_stimulus(200, 3)).total_cycles == 160015 + 2 * 160010);
+    CHECK(run_twin(with_cores(1), empty_stimulus(200, 1)).total_cycles == 160015);
+    CHECK(run_twin(with_cores(1), empty_stimulus(200, 2)).total_cycles == 160015 + 160010);
+    CHECK(run_twin(with_cores(1), empty_stimulus(200, 3)).total_cycles == 160015 + 2 * 160010);
 }
 
 TEST_CASE("Without triangles a sample takes 4 W^2 + 15 cycles, and 4 W^2 + 10 each further one", "[cycle_twin]") {
@@ -76,7 +31,7 @@ TEST_CASE("Without triangles a sample takes 4 W^2 + 15 cycles, and 4 W^2 + 10 ea
         for (int samples = 1; samples <= 4; ++samples) {
             CAPTURE(window, samples);
             Cycles const further = static_cast<Cycles>(samples - 1);
-            TwinResult const result = run_twin(one_core(), empty_stimulus(window, samples));
+            TwinResult const result = run_twin(with_cores(1), empty_stimulus(window, samples));
             CHECK_FALSE(result.deadlock);
             CHECK(result.total_cycles == 4 * pixels + 15 + further * (4 * pixels + 10));
         }
@@ -84,7 +39,7 @@ TEST_CASE("Without triangles a sample takes 4 W^2 + 15 cycles, and 4 W^2 + 10 ea
 }
 
 TEST_CASE("A window of 4 without triangles, cycle for cycle", "[cycle_twin]") {
-    TwinResult const result = run_twin(one_core(), empty_stimulus(4, 1));
+    TwinResult const result = run_twin(with_cores(1), empty_stimulus(4, 1));
     // Header written at 0, read at 1 by all three. Sweep from 24 to 24 + 15 * 3 + 8 = 77: result written; read at 78.
     REQUIRE(result.samples.size() == 1);
     CHECK(result.samples[0].start_cycle == 1);
@@ -132,6 +87,13 @@ TEST_CASE("A window of 4 without triangles, cycle for cycle", "[cycle_twin]") {
 }
 
 TEST_CASE("One small triangle, token by token", "[cycle_twin]") {
+    // The scan's visits, in order, with what it sends:
+    //   i0 (1,1) in   fragment, object     col_min: rightwards; prev_in is the start pixel's own, so no pending edge
+    //   i1 (1,2) in   fragment, object
+    //   i2 (1,3) out  edge                 right wall: next row, leftwards
+    //   i3 (2,3) out  -                    a wall, but the line's start
+    //   i4 (2,2) out  -
+    //   i5 (2,1) in   fragment, object     left wall in the bottom row: ends, the pending edge (2,2) is lost
     // Vertices: header at 1, written at 2 + 40 + i = 42, 43, 44, read at 43, 44, 45. Setup 46..57.
     // Rasterizer: area and Triangle at 58; scan from 59, its 13 steps p at 59 + p while nothing stalls.
     //   p = 7, 8 (i0, i1) at 66, 67; p = 9 (i2, edge token only) at 68; p = 12 (i5) due at 71.
@@ -144,7 +106,7 @@ TEST_CASE("One small triangle, token by token", "[cycle_twin]") {
     // Rasterizer: 99, 100: (End, end token) at 100.
     // Fragment loop, step 2: depth i5, index i5, command End, readable from 101: at 101 instead of 100.
     //   10 - 1 steps more: ends at 111; End: 1; sweep from 112 to 112 + 53 = 165: result; read at 166.
-    TwinResult const result = run_twin(one_core(), one_small_triangle());
+    TwinResult const result = run_twin(with_cores(1), one_small_triangle());
     REQUIRE_FALSE(result.deadlock);
     CHECK(result.samples.at(0).start_cycle == 1);
     CHECK(result.samples.at(0).end_cycle == 166);
@@ -188,7 +150,7 @@ TEST_CASE("One small triangle, token by token", "[cycle_twin]") {
 }
 
 TEST_CASE("flush_last runs the second iteration that the end token cuts off", "[cycle_twin]") {
-    AcceleratorConfig config = one_core();
+    AcceleratorConfig config = with_cores(1);
     config.edge_map.flush_last = true;
     TwinResult const result = run_twin(config, one_small_triangle());
     // The 7th iteration starts at 102: the token loop ends at 106 instead of 105, still in time for the sweep.
@@ -197,7 +159,7 @@ TEST_CASE("flush_last runs the second iteration that the end token cuts off", "[
 }
 
 TEST_CASE("fragment_depth of depth 1 deadlocks, as the command is read one ahead", "[cycle_twin]") {
-    AcceleratorConfig config = one_core();
+    AcceleratorConfig config = with_cores(1);
     config.fifo(FifoId::fragment_depth).depth = 1;
     TwinResult const result = run_twin(config, one_small_triangle());
     // The rasterizer holds fragment i1 (67) until i0's depth is read; the inlier unit reads it (97) together with the
@@ -214,9 +176,10 @@ TEST_CASE("A reciprocal waits for its slot at issue, one for each stage and plac
     // Two triangles between the pixels: codes (17,17), (17,20), (20,17); two scan iterations, (1,1) and (1,2), no
     // token.
     Stimulus stimulus = empty_stimulus(8, 1);
-    add_triangle(stimulus, {17, 17, 0}, {17, 20, 0}, {20, 17, 0});
-    add_triangle(stimulus, {17, 17, 0}, {17, 20, 0}, {20, 17, 0});
-    AcceleratorConfig config = one_core();
+    constexpr std::uint16_t metre = 1U << 14;
+    stimulus.triangles.assign(2, {{{17, 17, metre}, {17, 20, metre}, {20, 17, metre}}});
+    stimulus.samples[0].triangle_count = 2;
+    AcceleratorConfig config = with_cores(1);
     config.fifo(FifoId::area_reciprocal).depth = 1;
     config.fifo(FifoId::area_reciprocal).write_latency = 0;
     // Vertices written at 42..46, the 6th after the 4th is read (68): 69, 22 late.
@@ -246,7 +209,7 @@ TEST_CASE("A reciprocal waits for its slot at issue, one for each stage and plac
 }
 
 TEST_CASE("A memory FIFO is one deeper and one cycle slower", "[cycle_twin]") {
-    AcceleratorConfig config = one_core();
+    AcceleratorConfig config = with_cores(1);
     config.fifo(FifoId::result).depth = 3;
     config.fifo(FifoId::result).kind = FifoKind::memory;
     CHECK(run_twin(config, empty_stimulus(4, 1)).total_cycles == 80);
@@ -255,7 +218,7 @@ TEST_CASE("A memory FIFO is one deeper and one cycle slower", "[cycle_twin]") {
 }
 
 TEST_CASE("Loop figures follow target, recurrence and ports", "[cycle_twin]") {
-    AcceleratorConfig config = one_core();
+    AcceleratorConfig config = with_cores(1);
     config.memory(BramId::object_map).ports = 1;
     config.loop(LoopId::sweep).recurrence_ii = 4;
     config.loop(LoopId::sweep).ii = 2;
@@ -275,7 +238,7 @@ TEST_CASE("Loop figures follow target, recurrence and ports", "[cycle_twin]") {
 }
 
 TEST_CASE("Cores take consecutive samples and share nothing", "[cycle_twin]") {
-    AcceleratorConfig config = one_core();
+    AcceleratorConfig config = with_cores(1);
     config.cores = 4;
     TwinResult const result = run_twin(config, empty_stimulus(4, 5));  // 2, 2, 1 and none
     CHECK(result.total_cycles == 79 + 74);
@@ -290,12 +253,12 @@ TEST_CASE("Cores take consecutive samples and share nothing", "[cycle_twin]") {
 }
 
 TEST_CASE("The twin refuses what it cannot time", "[cycle_twin]") {
-    AcceleratorConfig config = one_core();
+    AcceleratorConfig config = with_cores(1);
     config.loop(LoopId::output).depth = 2;  // edge_map leaves in stage 2
     CHECK_THROWS_AS(run_twin(config, empty_stimulus(4, 1)), std::invalid_argument);
     Stimulus posed;
     posed.posed.poses.emplace_back();
-    CHECK_THROWS_AS(run_twin(one_core(), posed), std::invalid_argument);
+    CHECK_THROWS_AS(run_twin(with_cores(1), posed), std::invalid_argument);
 }
 
 TEST_CASE("Every token of a random run is read, and deadlock-free configurations do not deadlock", "[cycle_twin]") {

@@ -6,17 +6,12 @@
 #include "support/plain_config.hpp"
 #include "support/random_memory.hpp"
 #include "support/random_stimulus.hpp"
+#include "support/small_stimulus.hpp"
 
 namespace faster::testing::shared_memory_twin_test {
 
 // Cores of the cycle twin with a memory that they share; window 4 in an image of 8 x 8. Cycles with memory `ideal`:
 // "A window of 4 without triangles" and "One small triangle" in cycle_twin_test.cpp.
-
-AcceleratorConfig with_cores(std::size_t cores) {
-    AcceleratorConfig config;
-    config.cores = cores;
-    return config;
-}
 
 TwinMemory axi() {
     TwinMemory memory;
@@ -33,21 +28,10 @@ TwinMemory nothing_limits() {
     return memory;
 }
 
-Stimulus empty_windows(std::size_t samples, int window = 4) {
-    Stimulus stimulus;
-    stimulus.width = 2 * window;
-    stimulus.height = 2 * window;
-    stimulus.window = window;
-    stimulus.observed_depth = Image<std::uint16_t>(stimulus.height, stimulus.width, 512);
-    stimulus.observed_edges = Image<std::uint8_t>(stimulus.height, stimulus.width, 1);
-    stimulus.samples.assign(samples, SampleInput{window / 2, window / 2, 0, 0});
-    return stimulus;
-}
-
 /// Of three fragments.
-Stimulus small_triangles(std::size_t samples) {
-    Stimulus stimulus = empty_windows(samples);
-    stimulus.triangles.push_back(TriangleCode{{{16, 16, 1U << 14}, {16, 32, 1U << 14}, {32, 16, 1U << 14}}});
+Stimulus small_triangles(int samples) {
+    Stimulus stimulus = empty_stimulus(4, samples);
+    stimulus.triangles = one_small_triangle().triangles;
     for (SampleInput& sample : stimulus.samples)
         sample.triangle_count = 1;
     return stimulus;
@@ -62,7 +46,7 @@ TwinTraffic const& traffic_of(TwinResult const& result, std::size_t core, TwinMa
 }
 
 TEST_CASE("With ideal memory nothing is moved", "[memory_twin]") {
-    TwinResult const result = run_twin(with_cores(1), empty_windows(1));
+    TwinResult const result = run_twin(with_cores(1), empty_stimulus(4, 1));
     CHECK(result.total_cycles == 79);
     CHECK(result.traffic.empty());
     CHECK(result.controller_ps == 0);
@@ -73,7 +57,7 @@ TEST_CASE("A window without triangles behind a memory, cycle for cycle", "[memor
     // ObservationReader: header in 53, loop from 54 on. Rows are 16 bytes apart, 8 bytes each: a beat, a granule. Asked
     // for in 54 .. 57, beats 102 .. 105 (a granule takes less than a cycle). Iterations 103 + i: row k's first, 103 + 4
     // k, finds its beat of 102 + k. Written in 107, sweep from 108 instead of 24: 84 later, 163.
-    TwinResult const result = run_twin(with_cores(1), empty_windows(1), axi());
+    TwinResult const result = run_twin(with_cores(1), empty_stimulus(4, 1), axi());
     CHECK(result.total_cycles == 79 + 84);
     CHECK(process_of(result, 0, ModuleId::sample_dispatcher).memory_stall == 52);
     CHECK(process_of(result, 0, ModuleId::observation_reader).memory_stall == 49);
@@ -90,10 +74,10 @@ TEST_CASE("A window without triangles behind a memory, cycle for cycle", "[memor
 
 TEST_CASE("The case by hand does not feel a memory that nothing limits", "[memory_twin]") {
     // docs/memory-model.md: InlierUnit clears for longer than header and first row take.
-    for (std::size_t samples = 1; samples <= 2; ++samples) {
-        Cycles const ideal = 160015 + (samples - 1) * 160010;
-        CHECK(run_twin(with_cores(1), empty_windows(samples, 200), nothing_limits()).total_cycles == ideal);
-        CHECK(run_twin(with_cores(1), empty_windows(samples, 200), axi()).total_cycles == ideal);
+    for (int samples = 1; samples <= 2; ++samples) {
+        Cycles const ideal = 160015 + static_cast<Cycles>(samples - 1) * 160010;
+        CHECK(run_twin(with_cores(1), empty_stimulus(200, samples), nothing_limits()).total_cycles == ideal);
+        CHECK(run_twin(with_cores(1), empty_stimulus(200, samples), axi()).total_cycles == ideal);
     }
 }
 
@@ -111,7 +95,7 @@ TEST_CASE("A memory that nothing limits adds 4 cycles of header and one of the f
 TEST_CASE("A deeper pipeline of samples pays for memory once", "[memory_twin]") {
     // docs/memory-model.md: header, the second header's beats, vertex.
     AcceleratorConfig const config = with_cores(1);
-    for (std::size_t samples = 2; samples <= 5; ++samples) {
+    for (int samples = 2; samples <= 5; ++samples) {
         Cycles const ideal = run_twin(config, small_triangles(samples)).total_cycles;
         CHECK(run_twin(config, small_triangles(samples), nothing_limits()).total_cycles == ideal + 4 + 3 + 1);
     }
@@ -129,12 +113,12 @@ TEST_CASE("The next header's beats come before the first vertex's", "[memory_twi
 TEST_CASE("Two cores get their headers one after the other", "[memory_twin]") {
     // The second begins 4444 ps after the first: its beats are 49 .. 52 on a port of its own, else 52 .. 55.
     TwinMemory memory = axi();
-    TwinResult const apart = run_twin(with_cores(2), empty_windows(2), memory);
+    TwinResult const apart = run_twin(with_cores(2), empty_stimulus(4, 2), memory);
     CHECK(process_of(apart, 0, ModuleId::sample_dispatcher).memory_stall == 52);
     CHECK(process_of(apart, 1, ModuleId::sample_dispatcher).memory_stall == 53);
     CHECK(apart.port_beats == std::vector<std::uint64_t>{8, 8, 0});
     memory.ports = 1;
-    TwinResult const shared = run_twin(with_cores(2), empty_windows(2), memory);
+    TwinResult const shared = run_twin(with_cores(2), empty_stimulus(4, 2), memory);
     CHECK(process_of(shared, 0, ModuleId::sample_dispatcher).memory_stall == 52);
     CHECK(process_of(shared, 1, ModuleId::sample_dispatcher).memory_stall == 56);
     CHECK(shared.port_beats == std::vector<std::uint64_t>{16});
@@ -176,7 +160,7 @@ TEST_CASE("Cores that share a copy of the observation share its ports", "[memory
     memory.observation_on_chip = true;
     AcceleratorConfig config = with_cores(5);
     auto const read_loop = [&] {
-        return run_twin(config, empty_windows(5), memory).loops.at(0)[index_of(LoopId::read)];
+        return run_twin(config, empty_stimulus(4, 5), memory).loops.at(0)[index_of(LoopId::read)];
     };
     CHECK(read_loop().ii == 3);  // 5 accesses on 2 ports
     CHECK(read_loop().limited_by == "observation");
@@ -209,7 +193,7 @@ TEST_CASE("With a touched region four words come before the rows, whatever prefe
     CHECK(stall() == 49 + 2 + 49);
     memory.prefetch = true;
     CHECK(stall() == 49 + 1 + 49);
-    CHECK(traffic_of(run_twin(config, empty_windows(1), memory), 0, TwinMaster::observation).bursts == 4);
+    CHECK(traffic_of(run_twin(config, empty_stimulus(4, 1), memory), 0, TwinMaster::observation).bursts == 4);
     memory.observation_on_chip = true;
     CHECK(traffic_of(run_twin(config, small_triangles(1), memory), 0, TwinMaster::observation).bursts == 4);
 }

@@ -1,16 +1,12 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "dataflow/run/events/event_file.hpp"
-#include "dataflow/run/replay/retime.hpp"
-#include "dataflow/tools/sizing/size_fifos.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/cheaper_choices.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_memory.hpp"
 #include "support/random_stimulus.hpp"
-#include "support/raster_machine.hpp"
-#include "support/temp_folder.hpp"
+#include "support/recorded_run.hpp"
 #include "support/test_run.hpp"
 
 // Sizing FIFOs of cores that share an external memory, where more room may make a run longer.
@@ -21,20 +17,8 @@ using namespace faster;
 using Random = std::mt19937_64;
 
 /// A recorded run of a small random workload behind a random memory.
-struct Case {
-    Stimulus stimulus;
-    AcceleratorConfig config;
-    events::EventFile file;
-    Machine machine;
-
-    Case(Stimulus of, AcceleratorConfig const& on) : stimulus(std::move(of)), config(on) {
-        faster::test::TempFolder const folder;
-        faster::testing::TestRunOptions options;
-        options.events = folder / "events";
-        REQUIRE_FALSE(test_run(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
-        file = events::read_event_file(folder / "events");
-        machine = faster::testing::raster_machine(config);
-    }
+struct Case : faster::testing::RecordedRun {
+    using RecordedRun::RecordedRun;
 
     Sizing size(double percent, unsigned jobs = 1) const {
         SizingOptions options;
@@ -42,11 +26,6 @@ struct Case {
         options.front_points = 0;
         options.jobs = jobs;
         return size_fifos(file.run, file.loaded.config, options);
-    }
-    Cycles cycles(Choice const& choice) const { return cycles_on(machine, choice); }
-    Cycles cycles_on(Machine const& on, Choice const& choice) const {
-        RunStatistics const run = replay::retime(file.run, with_choice(on, choice));
-        return run.deadlocked() ? Cut::deadlock : run.total_cycles;
     }
 };
 
@@ -58,17 +37,12 @@ struct Most {
 
 /// Most memories are slow, so that cores wait for each other.
 Case random_case(std::uint64_t seed, Most const& most = {}) {
-    faster::testing::RandomStimulusOptions workload;
-    workload.width = {24, 48};
-    workload.height = {24, 48};
-    workload.window = {4, 12};
-    workload.samples = {1, most.samples};
-    workload.triangles = {0, most.triangles};
     faster::testing::RandomConfigOptions options;
     options.cores = {1, most.cores};
     options.any_region = true;
     AcceleratorConfig config = faster::testing::random_config(seed, options);
-    Stimulus const stimulus = faster::testing::random_stimulus(seed, workload);
+    Stimulus const stimulus =
+        faster::testing::random_stimulus(seed, faster::testing::sizing_workload(most.samples, most.triangles));
     faster::testing::draw_memory(seed, config);
     faster::testing::adopt(stimulus, config);
     return {stimulus, config};

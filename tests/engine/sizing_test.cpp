@@ -2,17 +2,12 @@
 #include <limits>
 #include <random>
 
-#include "dataflow/run/events/event_file.hpp"
-#include "dataflow/run/replay/retime.hpp"
-#include "dataflow/tools/sizing/size_fifos.hpp"
-#include "faster/config/faster_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "support/cheaper_choices.hpp"
 #include "support/plain_config.hpp"
 #include "support/random_stimulus.hpp"
-#include "support/raster_machine.hpp"
+#include "support/recorded_run.hpp"
 #include "support/small_stimulus.hpp"
-#include "support/temp_folder.hpp"
 #include "support/test_run.hpp"
 
 namespace dataflow::sizing::sizing_test {
@@ -24,39 +19,16 @@ using faster::testing::FifoId;
 using Random = std::mt19937_64;
 
 /// A recorded run of a small random workload on a small random machine, which is printed if a check fails.
-struct Case {
-    Stimulus stimulus;
-    AcceleratorConfig config;
-    events::EventFile file;
-    Machine machine;
-
-    Case(Stimulus of, AcceleratorConfig on) : stimulus(std::move(of)), config(std::move(on)) {
-        faster::test::TempFolder const folder;
-        faster::testing::TestRunOptions options;
-        options.events = folder / "events";
-        REQUIRE_FALSE(test_run(config, stimulus, Engine::decoupled, options).statistics.deadlocked());
-        file = events::read_event_file(folder / "events");
-        config = accelerator_of(file.loaded.config);
-        machine = faster::testing::raster_machine(config);
-    }
+struct Case : faster::testing::RecordedRun {
+    using RecordedRun::RecordedRun;
 
     /// With these options, on the configuration that was recorded.
     Sizing size(SizingOptions const& options) const { return size_fifos(file.run, file.loaded.config, options); }
-    Cycles cycles(Choice const& choice) const {
-        RunStatistics const run = replay::retime(file.run, with_choice(machine, choice));
-        return run.deadlocked() ? Cut::deadlock : run.total_cycles;
-    }
 };
 
 /// `free_fifos` of the FIFOs have random kinds, the others are shift registers, whose price steps are large: few
 /// combinations cost less than an answer.
 Case random_case(std::uint64_t seed, std::size_t free_fifos = fifo_count) {
-    faster::testing::RandomStimulusOptions workload;
-    workload.width = {24, 48};
-    workload.height = {24, 48};
-    workload.window = {4, 12};
-    workload.samples = {1, 6};
-    workload.triangles = {0, 8};
     faster::testing::RandomConfigOptions machine;
     machine.cores = {1, 3};
     machine.any_region = true;
@@ -67,7 +39,7 @@ Case random_case(std::uint64_t seed, std::size_t free_fifos = fifo_count) {
     for (std::size_t i = 0; i < free_fifos; ++i)
         config.fifo(fifo_ids[free_fifos == fifo_count ? i : random() % fifo_count]).kind = std::array<FifoKind, 4>{
             FifoKind::automatic, FifoKind::automatic, FifoKind::shift_register, FifoKind::memory}[random() % 4];
-    return {faster::testing::random_stimulus(seed, workload), config};
+    return {faster::testing::random_stimulus(seed, faster::testing::sizing_workload(6, 8)), config};
 }
 
 FifoChoice random_fifo(Random& random, FifoGeneration generation) {

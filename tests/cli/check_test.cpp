@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "faster/dataflow_names.hpp"
+#include "support/argument_words.hpp"
 #include "support/command.hpp"
 #include "support/is_instrumented.hpp"
 #include "support/temp_folder.hpp"
@@ -56,12 +57,8 @@ Words shipped_budgets() {
 }
 
 /// The tool in the background, its output in files of the folder.
-pid_t start(TempFolder const& folder, Words arguments) {
-    arguments.insert(arguments.begin(), FASTER_SIM_BINARY);
-    std::vector<char*> words;
-    for (std::string& argument : arguments)
-        words.push_back(argument.data());
-    words.push_back(nullptr);
+pid_t start(TempFolder const& folder, Words const& arguments) {
+    ArgumentWords const words(FASTER_SIM_BINARY, arguments);
     std::string const out = folder / "stdout";
     pid_t const process = fork();
     if (process == 0) {
@@ -71,7 +68,7 @@ pid_t start(TempFolder const& folder, Words arguments) {
         int const file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         if (file >= 0 && dup2(file, STDOUT_FILENO) >= 0 && dup2(file, STDERR_FILENO) >= 0 &&
             chdir(folder.path().c_str()) == 0)
-            execv(words[0], words.data());
+            execv(words.pointers()[0], words.pointers());
         _exit(127);
     }
     return process;

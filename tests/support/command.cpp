@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "faster/dataflow_names.hpp"
+#include "support/argument_words.hpp"
 #include "support/longest_run.hpp"
 #include "support/temp_folder.hpp"
 
@@ -35,22 +36,6 @@ bool redirect(int descriptor, char const* file) {
         execv(words[0], words);
     _exit(cannot_start);
 }
-
-/// A program and its arguments as execv() wants them.
-class ArgumentWords {
-  public:
-    ArgumentWords(std::string const& program, std::vector<std::string> const& arguments) : words_{program} {
-        words_.insert(words_.end(), arguments.begin(), arguments.end());
-        for (std::string& word : words_)
-            pointers_.push_back(word.data());
-        pointers_.push_back(nullptr);
-    }
-    char* const* pointers() const { return pointers_.data(); }
-
-  private:
-    std::vector<std::string> words_;
-    std::vector<char*> pointers_;
-};
 
 pid_t start(ArgumentWords const& words, std::filesystem::path const& folder, std::string const& out,
             std::string const& err) {

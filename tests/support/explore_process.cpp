@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "faster/dataflow_names.hpp"
+#include "support/argument_words.hpp"
 
 namespace faster::test {
 
@@ -23,15 +24,10 @@ std::string first_line(std::filesystem::path const& file) {
 
 }  // namespace
 
-ExploreProcess::ExploreProcess(std::string const& tool, std::vector<std::string> const& arguments,
+ExploreProcess::ExploreProcess(std::string const& tool, std::vector<std::string> arguments,
                                std::filesystem::path const& folder) {
-    std::vector<std::string> words{tool, "explore"};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& word : words)
-        pointers.push_back(word.data());
-    pointers.push_back(nullptr);
+    arguments.insert(arguments.begin(), "explore");
+    ArgumentWords const words(tool, arguments);
     std::string const out = output_ / "stdout";
     process_ = fork();
     if (process_ == 0) {
@@ -40,7 +36,7 @@ ExploreProcess::ExploreProcess(std::string const& tool, std::vector<std::string>
         alarm(longest_life_s);
         int const file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         if (file >= 0 && dup2(file, STDOUT_FILENO) >= 0 && chdir(folder.c_str()) == 0)
-            execv(pointers.front(), pointers.data());
+            execv(tool.c_str(), words.pointers());
         _exit(127);
     }
     for (int tries = 0; tries < 6000 && address_.empty(); ++tries) {

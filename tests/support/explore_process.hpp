@@ -13,8 +13,7 @@ namespace faster::test {
 class ExploreProcess {
   public:
     /// Waits until it has printed its address. Throws std::runtime_error if it does not.
-    ExploreProcess(std::string const& tool, std::vector<std::string> const& arguments,
-                   std::filesystem::path const& folder);
+    ExploreProcess(std::string const& tool, std::vector<std::string> arguments, std::filesystem::path const& folder);
     /// Ends it.
     ~ExploreProcess();
     ExploreProcess(ExploreProcess const&) = delete;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "faster/dataflow_names.hpp"
+#include "support/argument_words.hpp"
 #include "support/longest_run.hpp"
 
 namespace faster::test {
@@ -21,11 +22,11 @@ termios without_output_processing() {
     return settings;
 }
 
-[[noreturn]] void become(std::vector<char*> const& words, std::vector<std::string> const& environment) {
+[[noreturn]] void become(char* const* words, std::vector<std::string> const& environment) {
     alarm(longest_run_seconds);
     for (std::string const& variable : environment)
         putenv(const_cast<char*>(variable.c_str()));
-    execv(words[0], words.data());
+    execv(words[0], words);
     _exit(127);
 }
 
@@ -43,14 +44,7 @@ std::string read_all(int terminal) {
 
 std::string output_on_terminal(std::string const& program, std::vector<std::string> const& arguments,
                                std::vector<std::string> const& environment) {
-    std::vector<std::string> words{program};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& word : words)
-        pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-
+    ArgumentWords const words(program, arguments);
     termios const settings = without_output_processing();
     winsize const size{30, 100, 0, 0};
     int terminal = -1;
@@ -58,7 +52,7 @@ std::string output_on_terminal(std::string const& program, std::vector<std::stri
     if (child < 0)
         throw std::runtime_error(program + ": no process on a terminal");
     if (child == 0)
-        become(pointers, environment);
+        become(words.pointers(), environment);
     std::string text = read_all(terminal);
     int status = 0;
     if (waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)

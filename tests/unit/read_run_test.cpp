@@ -105,48 +105,43 @@ TEST_CASE("A module has the cycle classes its row has, whatever they are called"
           std::vector<NamedCycles>{{"busy_cycles", 70}, {"idle_cycles", 30}, {"nap_cycles", 4}});
 }
 
+/// The message about a run in whose summary `found` was replaced.
+std::string summary_error(std::string const& found, std::string const& replacement) {
+    return RunFolder().error_with("summary.json", found, replacement);
+}
+
 TEST_CASE("A summary that is none is refused", "[runs]") {
-    RunFolder const folder;
-    auto const error = [&folder](std::string const& found, std::string const& replacement) {
-        return folder.error_with("summary.json", found, replacement);
-    };
-    CHECK_THAT(error("faster-summary", "other"), Contains("summary.json: format = \"other\", expected faster-summary"));
-    CHECK_THAT(error("\"version\": 1", "\"version\": 2"), Contains("version = 2, expected 1"));
-    CHECK_THAT(error("\"version\": 1, ", ""), Contains("no key version"));
-    CHECK_THAT(error("  \"loops\"", "}"), Contains("summary.json:8: is cut off or no JSON from here on"));
-    CHECK_THAT(error("0.0005", "1e999"), Contains("beyond all limits"));
-    CHECK_THAT(error(summary, "[]"), Contains("summary.json: an array of 0, expected an object"));
-    CHECK_THAT(error(summary, ""), Contains("summary.json:1: is cut off"));
+    CHECK_THAT(summary_error("faster-summary", "other"),
+               Contains("summary.json: format = \"other\", expected faster-summary"));
+    CHECK_THAT(summary_error("\"version\": 1", "\"version\": 2"), Contains("version = 2, expected 1"));
+    CHECK_THAT(summary_error("\"version\": 1, ", ""), Contains("no key version"));
+    CHECK_THAT(summary_error("  \"loops\"", "}"), Contains("summary.json:8: is cut off or no JSON from here on"));
+    CHECK_THAT(summary_error("0.0005", "1e999"), Contains("beyond all limits"));
+    CHECK_THAT(summary_error(summary, "[]"), Contains("summary.json: an array of 0, expected an object"));
+    CHECK_THAT(summary_error(summary, ""), Contains("summary.json:1: is cut off"));
 }
 
 TEST_CASE("A value of the summary that cannot be is refused by its key", "[runs]") {
-    RunFolder const folder;
-    auto const error = [&folder](std::string const& found, std::string const& replacement) {
-        return folder.error_with("summary.json", found, replacement);
-    };
-    CHECK_THAT(error("\"total_cycles\": 100", "\"total_cycles\": -1"),
+    CHECK_THAT(summary_error("\"total_cycles\": 100", "\"total_cycles\": -1"),
                Contains("total_cycles = -1, expected an integer in 0..9007199254740991"));
-    CHECK_THAT(error("0.0005", "\"much\""), Contains("milliseconds = \"much\", expected a number"));
-    CHECK_THAT(error("\"busy_cycles\": 70", "\"busy_cycles\": 0.5"),
+    CHECK_THAT(summary_error("0.0005", "\"much\""), Contains("milliseconds = \"much\", expected a number"));
+    CHECK_THAT(summary_error("\"busy_cycles\": 70", "\"busy_cycles\": 0.5"),
                Contains("modules[0].busy_cycles = 0.5, expected"));
-    CHECK_THAT(error("\"depth\": 4, \"write", "\"write"), Contains("fifos[0]: no key depth, expected one"));
-    CHECK_THAT(error("\"limited_by\": \"\"", "\"limited_by\": {}"),
+    CHECK_THAT(summary_error("\"depth\": 4, \"write", "\"write"), Contains("fifos[0]: no key depth, expected one"));
+    CHECK_THAT(summary_error("\"limited_by\": \"\"", "\"limited_by\": {}"),
                Contains("loops[1].limited_by = an object, expected text"));
-    CHECK_THAT(error("{\"value\": 200.0, \"default\": true}", "200"),
+    CHECK_THAT(summary_error("{\"value\": 200.0, \"default\": true}", "200"),
                Contains("configuration.accelerator.clock_mhz = 200, expected an object"));
-    CHECK_THAT(error("\"fifos\"", "\"fifos\": 3, \"others\""), Contains("fifos = 3, expected an array"));
+    CHECK_THAT(summary_error("\"fifos\"", "\"fifos\": 3, \"others\""), Contains("fifos = 3, expected an array"));
 }
 
 TEST_CASE("Tables that lack a row or have one twice are refused", "[runs]") {
-    RunFolder const folder;
-    auto const error = [&folder](std::string const& found, std::string const& replacement) {
-        return folder.error_with("summary.json", found, replacement);
-    };
-    CHECK_THAT(error("\"raster_cores\": 1", "\"raster_cores\": 2"),
+    CHECK_THAT(summary_error("\"raster_cores\": 1", "\"raster_cores\": 2"),
                Contains("modules = an array of 1, expected a row for each item of each of the 2 raster cores"));
-    CHECK_THAT(error("\"vertex_transform\", \"loop\": \"vertex\"", "\"rasterizer\", \"loop\": \"scan\""),
+    CHECK_THAT(summary_error("\"vertex_transform\", \"loop\": \"vertex\"", "\"rasterizer\", \"loop\": \"scan\""),
                Contains("loops[1].core = 0, expected one row only for its rasterizer.scan"));
-    CHECK_THAT(error("\"core\": 0", "\"core\": 1"), Contains("modules[0].core = 1, expected an integer in 0..0"));
+    CHECK_THAT(summary_error("\"core\": 0", "\"core\": 1"),
+               Contains("modules[0].core = 1, expected an integer in 0..0"));
 }
 
 TEST_CASE("A design without loops and FIFOs has results that can be read", "[runs]") {

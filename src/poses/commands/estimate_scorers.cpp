@@ -74,7 +74,6 @@ class AcceleratorScorer final : public IterationScorer {
                                                  fit(particles[i], i), settings_));
         return terms;
     }
-    ScoredPoses const& last() const override { return last_; }
 
   private:
     estimation::BoxFit fit(estimation::Particle const& particle, std::size_t i) const {
@@ -88,7 +87,6 @@ class AcceleratorScorer final : public IterationScorer {
     estimation::TermSettings settings_;
     bool has_visible_box_;
     Count count_;
-    ScoredPoses last_;
 };
 
 class GripScorer final : public IterationScorer {
@@ -97,7 +95,7 @@ class GripScorer final : public IterationScorer {
         : scene_(scene),
           settings_(term_settings_of(config)),
           jobs_(jobs),
-          scorer_(scene.observed, grip_settings_of(config)) {}
+          scorer_(scene.observed, grip_settings(workload_of(config), estimator_of(config).grip_inlier_distance_m)) {}
 
     std::vector<estimation::WeightTerms> score(std::vector<estimation::Particle> const& particles) override {
         last_.poses = poses_of(scene_, particles);
@@ -109,16 +107,8 @@ class GripScorer final : public IterationScorer {
         });
         return terms;
     }
-    ScoredPoses const& last() const override { return last_; }
 
   private:
-    static grip::Settings grip_settings_of(RunConfig const& config) {
-        grip::Settings settings;
-        settings.neighbourhood = workload_of(config).observed_edges.neighbourhood;
-        settings.threshold = workload_of(config).observed_edges.threshold;
-        settings.inlier_distance = estimator_of(config).grip_inlier_distance_m;
-        return settings;
-    }
     grip::PixelArea area_of(estimation::Particle const& particle) const {
         if (scene_.boxes.empty())
             return {};
@@ -130,7 +120,6 @@ class GripScorer final : public IterationScorer {
     estimation::TermSettings settings_;
     std::size_t jobs_;
     grip::PoseScorer scorer_;
-    ScoredPoses last_;
 };
 
 poses::Points const& judged_points(estimation::Scene const& scene) {
@@ -156,11 +145,19 @@ std::unique_ptr<IterationScorer> make_simulating_scorer(LoadedConfig const& load
     return std::make_unique<AcceleratorScorer>(loaded.config, scene, count);
 }
 
+grip::Settings grip_settings(WorkloadConfig const& workload, double inlier_distance_m) {
+    return {workload.observed_edges.neighbourhood, workload.observed_edges.threshold, inlier_distance_m};
+}
+
+std::string design_name(Flow flow, std::string const& architecture) {
+    return flow == Flow::faster ? architecture : choice_name(flow);
+}
+
 std::string scorer_name(RunConfig const& config) {
     if (estimator_of(config).backend == EstimatorBackend::grip)
         return "grip";
     AcceleratorConfig const& accelerator = accelerator_of(config);
-    return accelerator.flow == Flow::faster ? accelerator.architecture : choice_name(accelerator.flow);
+    return design_name(accelerator.flow, accelerator.architecture);
 }
 
 Pose final_pose(estimation::Scene const& scene, estimation::Particle const& particle, EstimatorConfig const& config) {

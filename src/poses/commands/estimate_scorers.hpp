@@ -5,11 +5,14 @@
 #include <vector>
 
 #include "dataflow/run/config/run_config.hpp"
+#include "faster/config/accelerator_config.hpp"
+#include "faster/config/workload_config.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/commands/estimate_report.hpp"
 #include "poses/commands/timed_iterations.hpp"
 #include "poses/estimation/scene.hpp"
 #include "poses/estimation/weight_terms.hpp"
+#include "poses/grip/score_poses.hpp"
 
 namespace faster {
 
@@ -19,7 +22,10 @@ class IterationScorer {
     virtual ~IterationScorer() = default;
     virtual std::vector<estimation::WeightTerms> score(std::vector<estimation::Particle> const& particles) = 0;
     /// The last iteration's; without counters if nothing counts.
-    virtual ScoredPoses const& last() const = 0;
+    ScoredPoses const& last() const { return last_; }
+
+  protected:
+    ScoredPoses last_;
 };
 
 /// That of `estimator.backend`, on `jobs` threads. `scene` must outlive it; its samples change.
@@ -31,7 +37,13 @@ std::unique_ptr<IterationScorer> make_scorer(RunConfig const& config, estimation
 std::unique_ptr<IterationScorer> make_simulating_scorer(LoadedConfig const& loaded, estimation::Scene& scene,
                                                         IterationCost& cost);
 
-/// What people call it: the preset, or the flow that was chosen on its own, or grip.
+/// Of GRIP: edges are found as the workload's are.
+grip::Settings grip_settings(WorkloadConfig const& workload, double inlier_distance_m);
+
+/// What people call a design: the preset, or the flow that was chosen on its own.
+std::string design_name(Flow flow, std::string const& architecture);
+
+/// That of the accelerator, or grip.
 std::string scorer_name(RunConfig const& config);
 
 /// The pose of an estimate, refined if that is configured.

@@ -30,6 +30,7 @@
 #include "faster/workload/object_pose.hpp"
 #include "faster/workload/workload_source.hpp"
 #include "modules/core/workload_iterations.hpp"
+#include "poses/commands/estimate_scorers.hpp"
 #include "poses/commands/estimate_size.hpp"
 #include "poses/commands/pose_commands.hpp"
 #include "poses/estimation/counter_scorer.hpp"
@@ -127,13 +128,8 @@ std::vector<Agreement> agreements(GripComparison const& comparison) {
                 [](Sums const& c) { return c.edge_inlier; })};
 }
 
-/// What people call it: the preset, or the flow that was chosen on its own.
-static std::string design_of(GripComparison const& comparison) {
-    return comparison.flow == Flow::faster ? comparison.architecture : choice_name(comparison.flow);
-}
-
 std::string grip_text(GripComparison const& comparison) {
-    std::string const design = design_of(comparison);
+    std::string const design = design_name(comparison.flow, comparison.architecture);
     std::size_t const samples = comparison.grip.size();
     std::string text =
         fmt::format("{} samples by GRIP, untimed, on {} host {}: {:.2f} s, {:.2f} ms per sample\n", samples,
@@ -199,14 +195,6 @@ void require_poses(LoadedConfig const& loaded) {
         throw InputError(complaint(loaded, "workload.samples.count", "at least 1: grip compares samples"));
 }
 
-grip::Settings settings_of(GripRequest const& request, WorkloadConfig const& workload) {
-    grip::Settings settings;
-    settings.neighbourhood = workload.observed_edges.neighbourhood;
-    settings.threshold = workload.observed_edges.threshold;
-    settings.inlier_distance = request.inlier_distance_m;
-    return settings;
-}
-
 /// The untimed reference equals the model bit for bit.
 std::vector<SampleCounters> flow_counters(AcceleratorConfig const& config, Stimulus const& stimulus) {
     reference::Scorer scorer = estimation::reference_scorer(stimulus, config);
@@ -248,7 +236,8 @@ GripComparison compare_with_flow(GripRequest const& request, RunConfig const& co
     comparison.architecture = accelerator_of(config).architecture;
     comparison.jobs = static_cast<unsigned>(jobs_or_host_cores(request.jobs));
     auto start = HostClock::now();
-    comparison.grip = scores_by_grip(stimulus, settings_of(request, workload_of(config)), comparison.jobs);
+    comparison.grip =
+        scores_by_grip(stimulus, grip_settings(workload_of(config), request.inlier_distance_m), comparison.jobs);
     comparison.grip_seconds = seconds_since(start);
     start = HostClock::now();
     comparison.counters = flow_counters(accelerator_of(config), stimulus);

@@ -88,38 +88,26 @@ void check_scan_lanes(LoadedConfig const& loaded, std::vector<std::string>& comp
 constexpr int most_bits_with_far = 9;  ///< of the depth buffer: 2 m is code 1024 then, far is 2047
 
 /// Where nothing is drawn the depth buffer says "far", which has to lie beyond the 2 m up to which the sweep compares.
-void check_sweep_region(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
+/// The touched region and hidden pixels rely on it.
+void check_far(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
     AcceleratorConfig const& config = accelerator_of(loaded.config);
-    if (config.inlier_unit.sweep_region == SweepRegion::touched &&
-        config.fraction_bits.depth_buffer > most_bits_with_far) {
+    if (config.fraction_bits.depth_buffer <= most_bits_with_far)
+        return;
+    auto const complain = [&](char const* key, char const* instead, char const* did) {
         complaints.push_back(
-            complaint(loaded, "accelerator.inlier_unit.sweep_region",
-                      fmt::format("window because of {}, with which pixels that nothing touched are nearer than 2 m",
-                                  with_value(loaded, "accelerator.fraction_bits.depth_buffer"))));
-    }
+            complaint(loaded, key,
+                      fmt::format("{} because of {}, with which pixels that nothing {} are nearer than 2 m", instead,
+                                  with_value(loaded, "accelerator.fraction_bits.depth_buffer"), did)));
+    };
+    if (config.inlier_unit.sweep_region == SweepRegion::touched)
+        complain("accelerator.inlier_unit.sweep_region", "window", "touched");
+    if (counts_hidden(config.inlier_unit))
+        complain("accelerator.inlier_unit.hidden", "ignored", "drew");
 }
 
-/// A pixel is drawn where the depth buffer does not say "far", as above.
-void check_hidden(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
-    AcceleratorConfig const& config = accelerator_of(loaded.config);
-    if (counts_hidden(config.inlier_unit) && config.fraction_bits.depth_buffer > most_bits_with_far) {
-        complaints.push_back(
-            complaint(loaded, "accelerator.inlier_unit.hidden",
-                      fmt::format("ignored because of {}, with which pixels that nothing drew are nearer than 2 m",
-                                  with_value(loaded, "accelerator.fraction_bits.depth_buffer"))));
-    }
-}
-
-void check_neighbourhood(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
-    if (workload_of(loaded.config).observed_edges.neighbourhood % 2 == 0) {
-        complaints.push_back(complaint(loaded, "workload.observed_edges.neighbourhood", "an odd number"));
-    }
-}
-
-void check_edge_extraction(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
-    if (accelerator_of(loaded.config).edge_extraction.neighbourhood % 2 == 0) {
-        complaints.push_back(complaint(loaded, "accelerator.edge_extraction.neighbourhood", "an odd number"));
-    }
+void check_odd(LoadedConfig const& loaded, char const* key, int value, std::vector<std::string>& complaints) {
+    if (value % 2 == 0)
+        complaints.push_back(complaint(loaded, key, "an odd number"));
 }
 
 void check_observation_copies(LoadedConfig const& loaded, std::vector<std::string>& complaints) {
@@ -153,13 +141,14 @@ std::vector<std::string> faster_complaints(LoadedConfig const& loaded) {
     std::vector<std::string> complaints;
     check_lanes(loaded, complaints);
     check_scan_lanes(loaded, complaints);
-    check_sweep_region(loaded, complaints);
-    check_hidden(loaded, complaints);
+    check_far(loaded, complaints);
     check_fraction_bits(loaded, complaints);
     check_scan(loaded, complaints);
     check_edge_tokens(loaded, complaints);
-    check_neighbourhood(loaded, complaints);
-    check_edge_extraction(loaded, complaints);
+    check_odd(loaded, "workload.observed_edges.neighbourhood", workload_of(loaded.config).observed_edges.neighbourhood,
+              complaints);
+    check_odd(loaded, "accelerator.edge_extraction.neighbourhood",
+              accelerator_of(loaded.config).edge_extraction.neighbourhood, complaints);
     check_observation_copies(loaded, complaints);
     for (std::string const& complaint : external_memory_complaints(loaded))
         complaints.push_back(complaint);

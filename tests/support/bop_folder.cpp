@@ -8,14 +8,13 @@
 #include <stdexcept>
 #include <vector>
 
+#include "dataflow/base/portable_math.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/png_image.hpp"
 #include "faster/workload/scene_renderer.hpp"
 
 namespace faster::test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 void add_quad(Mesh& mesh, std::array<std::uint32_t, 4> const& corners) {
     mesh.faces.push_back({corners[0], corners[1], corners[2]});
@@ -39,7 +38,7 @@ Mesh make_cylinder() {
     constexpr std::uint32_t corners = 63;
     Mesh mesh;
     for (std::uint32_t i = 0; i < corners; ++i) {
-        double const angle = 2 * pi * i / corners;
+        double const angle = 2 * portable::pi * i / corners;
         for (double const z : {-0.04, 0.04})
             mesh.vertices.emplace_back(0.025 * std::cos(angle), 0.025 * std::sin(angle), z);
     }

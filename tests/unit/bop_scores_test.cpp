@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "dataflow/base/random.hpp"
+#include "dataflow/base/portable_math.hpp"
 #include "faster/dataflow_names.hpp"
 #include "poses/judging/judge.hpp"
 #include "poses/judging/mesh_symmetries.hpp"
@@ -66,7 +66,7 @@ TEST_CASE("MSPD is the largest distance in the image, of the symmetry for which 
     estimate.translation = {0.01, 0, 1};
     CHECK(mspd(points, {Pose{}}, estimate, truth, camera) == Approx(5));
     Pose half_turn;
-    half_turn.rotation = Eigen::AngleAxisd(Random::pi, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    half_turn.rotation = Eigen::AngleAxisd(portable::pi, Eigen::Vector3d::UnitY()).toRotationMatrix();
     estimate.rotation = half_turn.rotation;
     CHECK(mspd(points, {Pose{}}, estimate, truth, camera) == Approx(105));
     CHECK(mspd(points, {Pose{}, half_turn}, estimate, truth, camera) == Approx(5));
@@ -98,8 +98,8 @@ Mesh prism(std::vector<Eigen::Vector2d> const& corners, double height) {
 std::vector<Eigen::Vector2d> polygon(int corners, double radius) {
     std::vector<Eigen::Vector2d> places;
     for (int i = 0; i < corners; ++i)
-        places.emplace_back(radius * std::cos(2 * Random::pi * i / corners),
-                            radius * std::sin(2 * Random::pi * i / corners));
+        places.emplace_back(radius * std::cos(2 * portable::pi * i / corners),
+                            radius * std::sin(2 * portable::pi * i / corners));
     return places;
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("An object of which nothing is told has the symmetries of its mesh, on
     for (bop::DatasetImage const& image : dataset.images) {
         bop::PoseEstimate estimate{image.id, BopFolder::box, 1, image.objects[0].pose, -1, 2, {}};
         estimate.pose.rotation =
-            estimate.pose.rotation * Eigen::AngleAxisd(Random::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+            estimate.pose.rotation * Eigen::AngleAxisd(portable::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
         estimates.push_back(estimate);
     }
     auto const hits = [&] { return judge(dataset, estimates, "r.csv", {1, 0.015}).instances[0].mssd_hits; };

@@ -47,7 +47,7 @@ bop::ObjectModel cylinder_about(Vector3d const& offset) {
 TEST_CASE("ADD of a shift is its length, ADD of a half turn the mean diameter of the points' circles", "[pose_error]") {
     Points const points{{0.1, 0, 0}, {-0.1, 0, 0.3}, {0, 0.2, 0}};
     CHECK(add(points, at({0.03, 0.04, 0}), Pose{}) == Approx(0.05));
-    CHECK(add(points, turned(Random::pi), Pose{}) == Approx((0.2 + 0.2 + 0.4) / 3));
+    CHECK(add(points, turned(portable::pi), Pose{}) == Approx((0.2 + 0.2 + 0.4) / 3));
 }
 
 TEST_CASE("ADD-S goes from the true points to the nearest estimated ones, and not back", "[pose_error]") {
@@ -61,8 +61,8 @@ TEST_CASE("ADD-S goes from the true points to the nearest estimated ones, and no
 
 TEST_CASE("ADD-S forgives what nobody can see: points that change places", "[pose_error]") {
     Points const points{{0.1, 0, 0}, {-0.1, 0, 0}};
-    CHECK(add(points, turned(Random::pi), Pose{}) == Approx(0.2));
-    CHECK(add_s(points, turned(Random::pi), Pose{}) == Approx(0).margin(1e-15));
+    CHECK(add(points, turned(portable::pi), Pose{}) == Approx(0.2));
+    CHECK(add_s(points, turned(portable::pi), Pose{}) == Approx(0).margin(1e-15));
 }
 
 TEST_CASE("The nearest points are those that a search through all of them finds", "[pose_error]") {
@@ -95,32 +95,32 @@ TEST_CASE("Errors do not depend on where camera and world are", "[pose_error]") 
 TEST_CASE("MSSD is the distance of the worst point, for the symmetry with which it is least", "[pose_error]") {
     Points const points = BopFolder::mesh_of(BopFolder::box).vertices;  // 60 x 40 x 100 mm
     bop::ObjectModel plain, half_turn;
-    half_turn.symmetries.push_back(turned(Random::pi));
+    half_turn.symmetries.push_back(turned(portable::pi));
     double const radius = std::hypot(0.03, 0.02);
     auto const error = [&](bop::ObjectModel const& model, double angle) {
         return mssd(points, symmetries_of(model), turned(angle), Pose{});
     };
-    CHECK(error(plain, Random::pi) == Approx(2 * radius));
-    CHECK(error(half_turn, Random::pi) == Approx(0).margin(1e-15));
-    CHECK(error(half_turn, Random::pi / 2) == Approx(2 * radius * std::sin(Random::pi / 4)));
-    CHECK(error(half_turn, Random::pi - 0.2) == Approx(2 * radius * std::sin(0.1)));
+    CHECK(error(plain, portable::pi) == Approx(2 * radius));
+    CHECK(error(half_turn, portable::pi) == Approx(0).margin(1e-15));
+    CHECK(error(half_turn, portable::pi / 2) == Approx(2 * radius * std::sin(portable::pi / 4)));
+    CHECK(error(half_turn, portable::pi - 0.2) == Approx(2 * radius * std::sin(0.1)));
 }
 
 TEST_CASE("A symmetry is applied to the model, not to the camera", "[pose_error]") {
     Points const points = BopFolder::mesh_of(BopFolder::box).vertices;
     bop::ObjectModel model;
-    model.symmetries.push_back(turned(Random::pi));
+    model.symmetries.push_back(turned(portable::pi));
     Pose const truth = BopFolder::pose_of(BopFolder::box, 3);
     Pose estimate = truth;
-    estimate.rotation = truth.rotation * turned(Random::pi).rotation;
+    estimate.rotation = truth.rotation * turned(portable::pi).rotation;
     CHECK(mssd(points, symmetries_of(model), estimate, truth) == Approx(0).margin(1e-12));
-    estimate.rotation = turned(Random::pi).rotation * truth.rotation;
+    estimate.rotation = turned(portable::pi).rotation * truth.rotation;
     CHECK(mssd(points, symmetries_of(model), estimate, truth) > 0.01);
 }
 
 TEST_CASE("A cylinder that is turned about its axis has an MSSD of half a step at most", "[pose_error]") {
     Points const points = BopFolder::mesh_of(BopFolder::cylinder).vertices;
-    double const half_step = Random::pi / 315, radius = 0.025;
+    double const half_step = portable::pi / 315, radius = 0.025;
     auto const symmetries = symmetries_of(cylinder_about(Vector3d::Zero()));
     for (double const angle : {0.0, 0.3, 1.0, 2.5, 4.4, 6.2}) {
         CAPTURE(angle);
@@ -137,7 +137,7 @@ TEST_CASE("There are 315 turns about an axis, after each discrete symmetry, and 
     CHECK(symmetries_of(model).size() == 315);
     for (Pose const& symmetry : symmetries_of(model))
         CHECK((symmetry.rotation * offset + symmetry.translation - offset).norm() < 1e-15);
-    model.symmetries.push_back(turned(Random::pi, Vector3d::UnitX()));
+    model.symmetries.push_back(turned(portable::pi, Vector3d::UnitX()));
     CHECK(symmetries_of(model).size() == 630);
     CHECK(symmetries_of(bop::ObjectModel{}).size() == 1);
 }

@@ -49,7 +49,7 @@ Pose at(double x, double y, double z) {
 Mesh sphere(double radius, unsigned rings) {
     Mesh mesh;
     unsigned const sectors = 2 * rings;
-    double const step = 3.14159265358979323846 / rings;
+    double const step = portable::pi / rings;
     for (unsigned ring = 0; ring <= rings; ++ring) {
         for (unsigned sector = 0; sector < sectors; ++sector) {
             double const polar = ring * step, azimuth = sector * step;

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <random>
 
+#include "dataflow/base/portable_math.hpp"
+
 namespace dataflow {
 
 /// Seeded random numbers that are the same with every compiler and library: the engine is fixed by the standard, the
@@ -20,14 +22,14 @@ class Random {
     /// One that may turn out not to be wanted: its logarithm and cosine take ten times as long as the draw.
     struct NormalDraw {
         double for_radius, for_angle;
-        double value() const { return std::sqrt(-2 * std::log(1 - for_radius)) * std::cos(2 * pi * for_angle); }
+        double value() const {
+            return std::sqrt(-2 * std::log(1 - for_radius)) * std::cos(2 * portable::pi * for_angle);
+        }
     };
     NormalDraw normal_draw() {
         double const for_radius = uniform();
         return {for_radius, uniform()};
     }
-
-    static constexpr double pi = 3.14159265358979323846;
 
   private:
     std::mt19937_64 engine_;

@@ -13,7 +13,7 @@ namespace {
 /// Uniform on the sphere: by Archimedes, its z is uniform.
 Eigen::Vector3d random_direction(Random& random) {
     double const z = 2 * random.uniform() - 1;
-    double const azimuth = 2 * Random::pi * random.uniform();
+    double const azimuth = 2 * portable::pi * random.uniform();
     double const radius = std::sqrt(1 - z * z);
     return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
 }

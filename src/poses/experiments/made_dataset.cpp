@@ -14,6 +14,7 @@
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/json.hpp"
 #include "dataflow/base/on_threads.hpp"
+#include "dataflow/base/portable_math.hpp"
 #include "faster/dataflow_names.hpp"
 #include "faster/workload/files/mesh_file.hpp"
 #include "faster/workload/files/png_image.hpp"
@@ -30,7 +31,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int most_tries = 2000;
 constexpr double near_enough = 0.03;
 constexpr int coarse = 4;               ///< tries look at every fourth pixel
@@ -47,7 +47,7 @@ struct Table {
 };
 
 Table drawn_table(CounterRandom& random) {
-    double const tilt = between(20, 50, random) * pi / 180;
+    double const tilt = between(20, 50, random) * portable::pi / 180;
     Table table;
     // Up is against the camera's y, and towards it the more the steeper it looks down.
     Vector3d const up(0, -std::cos(tilt), -std::sin(tilt));
@@ -69,12 +69,12 @@ Matrix3d drawn_rotation(CounterRandom& random) {
     std::uint32_t const side = random.below(6);
     Matrix3d lying = Matrix3d::Identity();
     if (side / 2 == 0)
-        lying = Eigen::AngleAxisd(pi / 2, Vector3d::UnitX()).toRotationMatrix();
+        lying = Eigen::AngleAxisd(portable::pi / 2, Vector3d::UnitX()).toRotationMatrix();
     else if (side / 2 == 1)
-        lying = Eigen::AngleAxisd(pi / 2, Vector3d::UnitZ()).toRotationMatrix();
+        lying = Eigen::AngleAxisd(portable::pi / 2, Vector3d::UnitZ()).toRotationMatrix();
     if (side % 2 == 1)
-        lying = Eigen::AngleAxisd(pi, Vector3d::UnitX()).toRotationMatrix() * lying;
-    return Eigen::AngleAxisd(between(0, 2 * pi, random), Vector3d::UnitY()).toRotationMatrix() * lying;
+        lying = Eigen::AngleAxisd(portable::pi, Vector3d::UnitX()).toRotationMatrix() * lying;
+    return Eigen::AngleAxisd(between(0, 2 * portable::pi, random), Vector3d::UnitY()).toRotationMatrix() * lying;
 }
 
 Placed placed(int obj_id, Mesh const& mesh, Table const& table, double spread, CounterRandom& random) {

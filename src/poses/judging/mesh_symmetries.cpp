@@ -15,7 +15,7 @@
 namespace faster::poses {
 namespace {
 
-constexpr double whole_turn = 2 * Random::pi;
+constexpr double whole_turn = 2 * portable::pi;
 constexpr double most_apart = 0.05;  // diameters
 
 using Triangle = std::array<Eigen::Vector3d, 3>;

@@ -2,20 +2,19 @@
 
 #include <Eigen/Geometry>
 
-#include "dataflow/base/random.hpp"
+#include "dataflow/base/portable_math.hpp"
 #include "faster/dataflow_names.hpp"
 
 namespace faster::poses {
 
 namespace {
 
-constexpr double pi = Random::pi;
 constexpr int steps_per_turn = 315;  // ceil(pi / 0.01)
 
 /// The i-th turn about an axis.
 Pose turn(bop::ObjectModel::Axis const& axis, int i) {
     Pose pose;
-    pose.rotation = Eigen::AngleAxisd(i * (2 * pi / steps_per_turn), axis.direction).toRotationMatrix();
+    pose.rotation = Eigen::AngleAxisd(i * (2 * portable::pi / steps_per_turn), axis.direction).toRotationMatrix();
     pose.translation = axis.offset - pose.rotation * axis.offset;
     return pose;
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 
+#include "dataflow/base/portable_math.hpp"
 #include "faster/data/mesh_size.hpp"
 
 namespace faster::models {
@@ -20,7 +21,7 @@ Mesh joined(std::vector<Mesh> const& parts) {
 }
 
 Mesh turned_about_z(Mesh mesh, double degrees) {
-    constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+    constexpr double radians_per_degree = dataflow::portable::pi / 180.0;
     Eigen::AngleAxisd const turn(degrees * radians_per_degree, Eigen::Vector3d::UnitZ());
     Eigen::Matrix3d const rotation = turn.toRotationMatrix();
     for (Eigen::Vector3d& vertex : mesh.vertices) {

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "dataflow/base/portable_math.hpp"
+
 namespace faster::models {
 
 namespace {
@@ -20,7 +22,6 @@ Eigen::Vector3d direction(std::vector<Station> const& stations, std::size_t i, E
     return (stations[after].centre - stations[before].centre).normalized();
 }
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double row_height = 0.866;  // of an equilateral triangle with edge 1
 
 using Outline = std::vector<Eigen::Vector3d>;
@@ -99,7 +100,7 @@ std::array<Outline, 4> fine_quarters(Section const& section) {
     std::array<Outline, 4> quarters;
     for (int i = 0; i <= pieces; ++i) {
         // The ends of a quarter are exact, so the four quarters meet in the same points.
-        double const angle = pi / 2.0 * i / pieces;
+        double const angle = dataflow::portable::pi / 2.0 * i / pieces;
         double const c = i == pieces ? 0.0 : std::pow(std::cos(angle), 2.0 / section.exponent);
         double const s = std::pow(std::sin(angle), 2.0 / section.exponent);
         for (std::size_t quarter = 0; quarter < quarters.size(); ++quarter)

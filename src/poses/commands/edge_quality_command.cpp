@@ -65,7 +65,7 @@ Image<Colour> picture_of(quality::Specimen const& specimen) {
 void write_specimens(fs::path const& folder, std::vector<quality::PoseSurvey> const& rows) {
     fs::create_directories(folder);
     for (quality::PoseSurvey const& row : rows) {
-        std::string const name = quality::name_of(row.algorithm) + "_" + row.object;
+        std::string const name = choice_name(row.algorithm) + "_" + row.object;
         files::write_colour_png(folder / (name + "_best.png"), picture_of(row.best));
         files::write_colour_png(folder / (name + "_worst.png"), picture_of(row.worst));
     }

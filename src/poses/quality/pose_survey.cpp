@@ -89,14 +89,13 @@ void look_at(Image<std::uint8_t> const& edge_map, Image<std::uint8_t> const& sil
 
 }  // namespace
 
-std::string name_of(EdgeMapAlgorithm algorithm) { return choice_name(algorithm); }
-
 std::string survey_csv(std::vector<PoseSurvey> const& rows) {
     std::string text = "algorithm,object,poses,precision,recall,thickness,closed,thin,closed_and_thin\n";
     for (PoseSurvey const& row : rows)
-        text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", name_of(row.algorithm), row.object,
-                            row.poses, row.mean(row.precision), row.mean(row.recall), row.mean(row.thickness),
-                            row.share(row.closed), row.share(row.thin), row.share(row.closed_and_thin));
+        text +=
+            fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n", choice_name(row.algorithm), row.object,
+                        row.poses, row.mean(row.precision), row.mean(row.recall), row.mean(row.thickness),
+                        row.share(row.closed), row.share(row.thin), row.share(row.closed_and_thin));
     return text;
 }
 
@@ -106,7 +105,7 @@ std::string survey_markdown(std::vector<PoseSurvey> const& rows) {
         "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (PoseSurvey const& row : totals_of(rows))
         text += fmt::format("| {} | {} | {:.1f} % | {:.1f} % | {:.2f} | {:.1f} % | {:.1f} % | {:.1f} % |\n",
-                            name_of(row.algorithm), row.poses, 100 * row.mean(row.precision),
+                            choice_name(row.algorithm), row.poses, 100 * row.mean(row.precision),
                             100 * row.mean(row.recall), row.mean(row.thickness), 100 * row.share(row.closed),
                             100 * row.share(row.thin), 100 * row.share(row.closed_and_thin));
     return text;

@@ -80,7 +80,4 @@ std::string survey_csv(std::vector<PoseSurvey> const& rows);
 /// A row per algorithm over all objects, every pose counting once, as a Markdown table.
 std::string survey_markdown(std::vector<PoseSurvey> const& rows);
 
-/// As in the configuration.
-std::string name_of(EdgeMapAlgorithm algorithm);
-
 }  // namespace faster::quality

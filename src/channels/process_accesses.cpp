@@ -65,6 +65,12 @@ void ProcessClock::refuse_inside(char const* what) const {
                      " inside of a step or an iteration of a loop, expected it before or behind that");
 }
 
+void ProcessClock::refuse_later(unsigned port) const {
+    throw InputError("module " + timing_.name() + " accesses " + fifos_[port]->timing().name() +
+                     " in what is done later in an iteration, expected clock_.access() of its port in the body, and " +
+                     "no more than put() later");
+}
+
 void ProcessClock::refuse_outside(char const* what) const {
     throw InputError("module " + timing_.name() + " " + what + " outside of any loop, expected enter_loop() before it");
 }
@@ -75,6 +81,8 @@ void ProcessClock::access_closely(timing::Ports port) {
     if (!is_pipelining_)
         timing_.note_site(port.first(), site_);
     if (!collecting_) {
+        if (is_pipelining_)
+            refuse_later(port.first());
         site_ = SourceSite();
         step(port);
         return;

@@ -167,6 +167,9 @@ timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.
 // what it does there. So the process is let go as far as the module has got, step by step.
 
 void ProcessClock::open_loop(unsigned loop, SourceSite site) {
+    if (is_away_)
+        throw InputError("a loop of module " + timing_.name() +
+                         " is begun outside of its thread, expected each module " + "to use its own clock_");
     enter_loop(loop, site);
     std::vector<timing::LoopAccess> const& reads = timing_.loops()[loop].reads;
     pipelined_ = loop;
@@ -225,6 +228,8 @@ void ProcessClock::close_loop() {
 }
 
 void ProcessClock::later(FifoChannel const& fifo, std::function<void()> taking) {
+    if (is_pipelining_ && !collecting_)
+        refuse_later(fifo.read_port().first());
     note_end(fifo.read_port());
     Cycles const stage = fifo.timing().shape().read_stage;
     if (!is_held_ || stage == 0) {

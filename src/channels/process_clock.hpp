@@ -420,13 +420,14 @@ class ProcessClock {
     }
     /// Time passes between steps and iterations only.
     void require_outside(char const* what) const {
-        if (collecting_ || is_in_tokens_body_)
+        if (collecting_ || is_in_tokens_body_ || is_pipelining_)
             refuse_inside(what);
     }
     static constexpr Cycles longest_wait = Cycles{1} << 40U;
     [[noreturn]] void refuse_wait(Cycles cycles) const;
     [[noreturn]] void refuse_number(unsigned loop) const;
     [[noreturn]] void refuse_inside(char const* what) const;
+    [[noreturn]] void refuse_later(unsigned port) const;
     void require_loop(char const* what) const {
         if (!is_in_loop_)
             refuse_outside(what);

@@ -7,8 +7,8 @@
 #include <ios>
 #include <ostream>
 #include <string>
-#include <systemc>
 #include <sysc/datatypes/fx/fx.h>
+#include <systemc>
 #include <type_traits>
 
 #include "ap_operators.h"
@@ -59,6 +59,27 @@ class Number : public Base, public std::conditional_t<(bits > 64), ReadsAsPlain<
         return static_cast<Self&>(*this);
     }
 
+    // Bits, the lowest of which has number 0.
+    bool get_bit(int index) const { return static_cast<bool>(static_cast<Base const&>(*this)[index]); }
+    bool test(int index) const { return get_bit(index); }
+    void set_bit(int index, bool value) { static_cast<Base&>(*this)[index] = value; }
+    void set(int index, bool value = true) { set_bit(index, value); }
+    void clear(int index) { set_bit(index, false); }
+    void invert(int index) { set_bit(index, !get_bit(index)); }
+    void reverse() {
+        for (int low = 0, high = bits - 1; low < high; ++low, --high) {
+            bool const moved = get_bit(low);
+            set_bit(low, get_bit(high));
+            set_bit(high, moved);
+        }
+    }
+    int countLeadingZeros() const {  // NOLINT(readability-identifier-naming): as the tools have it
+        int count = 0;
+        while (count < bits && !get_bit(bits - 1 - count))
+            ++count;
+        return count;
+    }
+
     bool sign() const { return has_sign && static_cast<Base const&>(*this) < 0; }
     /// As (a, b).
     template <class Other> decltype(auto) concat(Other const& other) const {
@@ -87,10 +108,8 @@ template <class Base> std::ostream& print(std::ostream& out, Base const& number)
     return out << sign + "0x" + (digits.empty() ? "0" : digits);
 }
 
-template <int bits>
-using Signed = std::conditional_t<(bits <= 64), sc_dt::sc_int<bits>, sc_dt::sc_bigint<bits>>;
-template <int bits>
-using Unsigned = std::conditional_t<(bits <= 64), sc_dt::sc_uint<bits>, sc_dt::sc_biguint<bits>>;
+template <int bits> using Signed = std::conditional_t<(bits <= 64), sc_dt::sc_int<bits>, sc_dt::sc_bigint<bits>>;
+template <int bits> using Unsigned = std::conditional_t<(bits <= 64), sc_dt::sc_uint<bits>, sc_dt::sc_biguint<bits>>;
 
 }  // namespace faster_ap
 

@@ -319,6 +319,27 @@ TEST_CASE("a token that a loop reads behind other accesses is for take_later") {
         "module");
 }
 
+TEST_CASE("what is done with a token of a later stage takes no step of its own") {
+    Pair pair = sound_pair();
+    pair.reader.ends.front().read_stage = 2;
+    using Use = std::function<void(ProcessClock & clock, ClockedFifo<Token> & fifo)>;
+    auto const used = [&pair](Use const& use) {
+        pair.reads = [use](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+            clock.pipeline("receive", 10,
+                           [&](std::uint64_t) { clock.take_later(fifo, [&](Token) { use(clock, fifo); }); });
+        };
+        return pair;
+    };
+    std::string const refused =
+        "module reader accesses f in what is done later in an iteration, expected clock_.access() of its port in the "
+        "body, and no more than put() later";
+    check_both(used([](auto&, auto& fifo) { fifo.read(); }), refused);
+    check_both(used([](auto& clock, auto& fifo) { clock.take_later(fifo, [](Token) {}); }), refused);
+    check_both(used([](auto& clock, auto&) { clock.advance(1); }),
+               "module reader lets time pass inside of a step or an iteration of a loop, expected it before or behind "
+               "that");
+}
+
 TEST_CASE("what-if refuses a stage of a read as a run does, which the module's own code could not have") {
     Pair pair = sound_pair();
     pair.reader.writes_to("g").of_bits(1).leaves("receive", 1);

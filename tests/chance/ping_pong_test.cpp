@@ -106,6 +106,19 @@ TEST_CASE("a writer of ping-pong buffers is ahead of their reader by as many as 
         }
 }
 
+TEST_CASE("a reader waits for a ping-pong buffer in the order of its description", "[ping_pong]") {
+    ModuleDescription first("first"), second("second"), third("third");
+    first.writes_to("x").of_bits(32).hands_over(16);
+    second.reads_from("x");
+    second.writes_to("y").of_bits(32).hands_over(16);
+    third.reads_from("y");
+    CoreDescription const core = with_calls(core_of({first, second, third}), {});
+    std::vector<std::string> ends;
+    for (FifoEnd const& end : core.modules[1].ends)
+        ends.push_back(end.fifo);
+    CHECK(ends == std::vector<std::string>{"x_filled", "x", "y", "y_filled"});
+}
+
 TEST_CASE("a call fills a ping-pong buffer, or empties one, once", "[ping_pong]") {
     for (Engine const engine : {Engine::lockstep, Engine::decoupled}) {
         CHECK(outcome_of({2, 1}, engine) ==

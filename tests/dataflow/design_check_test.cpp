@@ -179,8 +179,9 @@ TEST_CASE("the default of a number of a design is one that its key could say", "
 class Growing : public SimpleDesign {
   public:
     using Describe = std::function<void(ModuleDescription& module, std::uint64_t stages)>;
-    explicit Growing(Describe describe)
-        : SimpleDesign({"growing", {{"workload.stages", 2, "Two or three."}}, {}}), describe_(std::move(describe)) {}
+    explicit Growing(Describe describe, std::vector<ColumnFacts> results = {})
+        : SimpleDesign({"growing", {{"workload.stages", 2, "Two or three."}}, std::move(results)}),
+          describe_(std::move(describe)) {}
 
     std::string complaint_with(std::uint64_t stages) const {
         Numbers numbers;
@@ -261,6 +262,59 @@ TEST_CASE("defaults are what keys may say", "[machine]") {
           "the number of states of loop writer.send is 0, expected 1 to 1000000");
     CHECK(complaint_about([](auto& writer, auto&) { writer.number("tries").is(5).within(6, 10); }) ==
           "the number tries of module writer is 5, expected 6 to 10");
+}
+
+TEST_CASE("stages and states that no cycle has are told", "[machine]") {
+    constexpr Cycles less_than_none = ~Cycles{0};
+    CHECK(complaint_about([](auto& writer, auto&) { writer.ends[0].leaves("send", less_than_none); }) ==
+          "the stage in which module writer writes the FIFO f is 18446744073709551615, expected 0 to 1000000");
+    CHECK_THAT(complaint_about([](auto&, auto& reader) { reader.ends[0].taken("receive", less_than_none); }),
+               Contains("the stage in which module reader reads the FIFO f is"));
+    CHECK_THAT(complaint_about([](auto& writer, auto&) { writer.loops[0].of_depth(2, less_than_none); }),
+               Contains("what other keys add to the depth of loop writer.send is"));
+    CHECK_THAT(complaint_about([](auto& writer, auto&) { writer.loops[0].enters_in(less_than_none); }),
+               Contains("the states before loop writer.send is"));
+    CHECK_THAT(complaint_about([](auto& writer, auto&) { writer.loops[0].leaves_in(less_than_none); }),
+               Contains("the states behind loop writer.send is"));
+}
+
+TEST_CASE("what a description cannot mean is told", "[machine]") {
+    CHECK(complaint_about([](auto& writer, auto&) { writer.loops[0].of_states(2).rewinds(); }) ==
+          "loop writer.send rewinds and is not pipelined, expected of_depth() instead of of_states()");
+    CHECK(complaint_about([](auto& writer, auto&) { writer.ends[0].hands_over(16); }) ==
+          "module writer writes the ping-pong buffer f in a loop, expected that it changes hands as a whole, between "
+          "calls");
+    CHECK(complaint_about([](auto& writer, auto& reader) {
+              writer.ends[0].hands_over(16).loop = "";
+              reader.ends[0].non_blocking();
+          }) ==
+          "module reader reads the ping-pong buffer f without waiting, expected that it changes hands as a whole, "
+          "between calls");
+}
+
+TEST_CASE("keys and results of a design have names that files can have", "[machine]") {
+    auto const with_key = [](char const* key) {
+        return input_error_text([key] { Storing({}, {{key, 1, "One."}, {"workload.rows", 1, "Rows."}}).keys(); });
+    };
+    for (char const* const key : {"", "rows", "workload..rows", "workload.", ".rows", "workload.a b"})
+        CHECK(with_key(key) == "a number of the design has the key \"" + std::string(key) +
+                                   "\", expected words and dots between them, such as workload.rows");
+    CHECK(with_key("workload.rows.first") ==
+          "numbers of the design have the keys workload.rows and workload.rows.first, expected none that begins with "
+          "another and a dot");
+    CHECK(input_error_text([] {
+              Storing({}, {{"workload.rows", 1, "Rows.", {-5, 5}}}).keys();
+          }) == "number workload.rows: its range begins with -5, expected 0 or more");
+    auto const with_results = [](std::vector<ColumnFacts> const& results) {
+        return input_error_text([&] { Growing([](auto&, auto) {}, results).keys(); });
+    };
+    CHECK(with_results({{"sum", "-", Tells::result, "all"}}) == "(no error)");
+    CHECK(with_results({{"a,b", "-", Tells::result, "all"}}) ==
+          "a result of the design has the name \"a,b\", expected a word, such as sum, which tables can have");
+    for (char const* const taken : {"sum", "latency_cycles"})
+        CHECK(with_results({{"sum", "-", Tells::result, "all"}, {taken, "-", Tells::result, "all"}}) ==
+              "a result of the design has the name " + std::string(taken) +
+                  ", which another column of its table has, expected another");
 }
 
 TEST_CASE("a loop with the keys of another is as that one is", "[machine]") {

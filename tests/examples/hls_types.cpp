@@ -1,7 +1,9 @@
 // The tools' types by their names, and streams of them, as plain C++: what the headers alone do. And what is seen of
 // functions that run without time.
+#include <ap_axi_sdata.h>
 #include <ap_fixed.h>
 #include <ap_int.h>
+#include <ap_shift_reg.h>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -220,6 +222,24 @@ struct Said {
     ap_uint<16> a;
     bool b;
 };
+struct Complex {
+    float real, imaginary;
+};
+struct Measured {
+    std::int32_t cells;
+    int length() const { return cells; }
+};
+struct SaidBeside {
+    float value;
+    bool is_last;
+};
+
+}  // namespace
+
+template <> constexpr unsigned faster_bits<SaidBeside> = 33;
+
+namespace {
+
 template <class Token> unsigned bits_of() { return dataflow::untimed::TokenTraits<Token>::bits(); }
 
 template <class Token> struct OneStream : dataflow::HlsDesign {
@@ -233,6 +253,7 @@ template <class Token> void complete(std::string const& name) { OneStream<Token>
 
 void check_widths() {
     check(bits_of<Exact>() == 64 && bits_of<Said>() == 17 && bits_of<double>() == 64, "what is known");
+    check(bits_of<Complex>() == 64 && bits_of<Measured>() == 32 && bits_of<SaidBeside>() == 33, "and of plain numbers");
     check(bits_of<Padded>() == 0 && bits_of<Tools>() == 0, "memory that is more than the wires");
     check(is_refused([] { complete<Tools>("pair"); }, "stream pair carries a struct"), "a struct of the tools' types");
     check(!is_refused([] { complete<Said>("pair"); }), "one that says its bits");
@@ -355,28 +376,35 @@ void check_quotients() {
     check(quotient.to_double() == 2, "a wide one");
 }
 
-struct Complex {
-    float real, imaginary;
-};
-struct Padded {
-    float value;
-    bool is_last;
-};
-struct Measured {
-    int cells = 0;
-    int length() const { return cells; }
-};
+template <int width> void check_bits() {
+    ap_uint<width> number = 6;
+    check(number.get_bit(1) && !number.test(0) && number.countLeadingZeros() == width - 3, "bits of a number");
+    number.set_bit(0, true);
+    number.clear(1);
+    number.set(3);
+    number.invert(2);
+    check(number == 9, "each by itself");
+    number.reverse();
+    check(number.get_bit(width - 1) && number.get_bit(width - 4) && number.countLeadingZeros() == 0, "the other way");
+    ap_int<width> low = -1;
+    low.clear(0);
+    check(low == -2 && low.countLeadingZeros() == 0, "of a number with a sign");
+}
 
-}  // namespace
-
-template <> constexpr unsigned faster_bits<Padded> = 33;
-
-namespace {
-
-void check_widths_of_structs() {
-    check(hls::stream<Complex>().bits() == 64, "all of its memory");
-    check(hls::stream<Padded>().bits() == 33, "as is said beside it");
-    check(hls::stream<Measured>().bits() == 32, "no number, though it has a length");
+void check_other_headers() {
+    ap_shift_reg<int, 3> cells;
+    check(cells.shift(1) == 0 && cells.shift(2, 0) == 1 && cells.shift(3, 0, false) == 2 && cells.read(1) == 1,
+          "a shift register");
+    using Word = ap_axiu<20, 0, 4, 0>;
+    check(hls::stream<Word>().bits() == 20 + 3 + 3 + 1 + 4, "signals that are there");
+    Word word;
+    word.data = 0xFFFFFF;
+    word.user = 1;
+    word.last = 1;
+    check(word.data == 0xFFFFF && word.user == 0 && word.last == 1, "a word of a stream");
+    ap_axis<8, 1, 1, 1> low;
+    low.data = 255;
+    check(low.data == -1, "with a sign");
 }
 
 void check_shown_tokens() {
@@ -421,6 +449,8 @@ int sc_main(int /*argc*/, char** /*argv*/) {
     check_streams_of_nobody();
     check_shown_tokens();
     check_quotients();
-    check_widths_of_structs();
+    check_bits<16>();
+    check_bits<70>();
+    check_other_headers();
     return failures;
 }

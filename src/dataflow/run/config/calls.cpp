@@ -1,5 +1,6 @@
 #include "dataflow/run/config/calls.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace dataflow {
@@ -16,7 +17,8 @@ std::pair<ModuleDescription*, FifoEnd*> find_end(CoreDescription& core, std::str
     return {};
 }
 
-/// A token that a module hands to another in a cycle of their calls. Returns the end that writes it.
+/// A token that a module hands to another in a cycle of their calls. Its ends are the last of both modules. Returns the
+/// one that writes it.
 FifoEnd& add_hand_over(CoreDescription& core, std::string const& name, ModuleDescription& from, When written,
                        ModuleDescription& to, When read) {
     core.fifos.push_back(name);
@@ -36,6 +38,7 @@ void hand_over_buffers(CoreDescription& core, std::string const& name, MachineSe
     memory.holds(write->tokens).of_words(1, write->buffer_words, write->bits);
     std::uint64_t const buffers = write->depth;
     memory.in_buffers(settings.fifo(name).depth.value_or(buffers));
+    auto const place = read - reader->ends.data();
     write->bits = 0;  // the memory has them
     write->when = When::call_begins;
     write->sized_as = name;
@@ -44,6 +47,8 @@ void hand_over_buffers(CoreDescription& core, std::string const& name, MachineSe
     FifoEnd& filled = add_hand_over(core, filled_fifo(name), *writer, When::call_ends, *reader, When::call_begins);
     filled.sized_as = name;
     filled.depth = buffers;
+    // In a step, the reader waits for the buffer where its description names it.
+    std::rotate(reader->ends.begin() + place, reader->ends.end() - 1, reader->ends.end());
 }
 
 }  // namespace

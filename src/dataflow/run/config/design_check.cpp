@@ -36,15 +36,6 @@ class NamedOnce {
     }
 
   private:
-    /// `null` is none in a configuration file.
-    static bool is_word(std::string const& name) {
-        auto const is_of_word = [](char c) {
-            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-        };
-        return !name.empty() && std::all_of(name.begin(), name.end(), is_of_word) && name != "null" && name != "Null" &&
-               name != "NULL";
-    }
-
     std::string where_;
     std::string kind_;
     Names names_;
@@ -110,15 +101,35 @@ class DesignCheck {
         if (end.writes)
             check_range("the depth of the FIFO " + end.fifo, end.depth,
                         end.buffer_words > 0 ? buffers_range : fifo_depth_range);
+        check_stage_of(module, end);
         if (!end.loop.empty())
             keyed_loop(module, end.loop);
         if (end.makes_attempts)
             check_attempts(module, end);
+        if (is_buffer(end.fifo) && (!end.loop.empty() || end.makes_attempts))
+            throw InputError("module " + module.name + (end.writes ? " writes" : " reads") + " the ping-pong buffer " +
+                             end.fifo + (end.makes_attempts ? " without waiting" : " in a loop") +
+                             ", expected that it changes hands as a whole, between calls");
     }
 
     bool is_written(std::string const& fifo) const {
         return std::any_of(core_.modules.begin(), core_.modules.end(),
                            [&](ModuleDescription const& module) { return accesses(module, fifo, true); });
+    }
+
+    static void check_stage_of(ModuleDescription const& module, FifoEnd const& end) {
+        if (std::optional<Cycles> const stage = end.writes ? end.write_latency : end.read_stage)
+            check_range("the stage in which module " + module.name + (end.writes ? " writes" : " reads") +
+                            " the FIFO " + end.fifo,
+                        *stage, stages_range);
+    }
+
+    bool is_buffer(std::string const& fifo) const {
+        for (ModuleDescription const& module : core_.modules)
+            for (FifoEnd const& end : module.ends)
+                if (end.fifo == fifo && end.buffer_words > 0)
+                    return true;
+        return false;
     }
 
     /// Neither is timed in the order of cycles.
@@ -157,6 +168,12 @@ class DesignCheck {
         check_range("the recurrence of loop " + name, loop.recurrence, cycles_range);
         check_range(std::string(loop.is_pipelined ? "the pipeline depth" : "the number of states") + " of loop " + name,
                     loop.depth, cycles_range);
+        check_range("what other keys add to the depth of loop " + name, loop.extra_depth, stages_range);
+        check_range("the states before loop " + name, loop.entry_states, stages_range);
+        check_range("the states behind loop " + name, loop.exit_states, stages_range);
+        if (loop.is_rewinding && !loop.is_pipelined)
+            throw InputError("loop " + name +
+                             " rewinds and is not pipelined, expected of_depth() instead of of_states()");
     }
 
     /// What the other's keys do not say is the same, or nothing of this loop could be changed as they say.
@@ -246,6 +263,14 @@ class DesignCheck {
 
 bool hold(Conditions const& conditions) {
     return std::all_of(conditions.begin(), conditions.end(), [](Condition const& one) { return one.holds; });
+}
+
+bool is_word(std::string const& name) {
+    auto const is_of_word = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+    };
+    return !name.empty() && std::all_of(name.begin(), name.end(), is_of_word) && name != "null" && name != "Null" &&
+           name != "NULL";
 }
 
 void check_design(CoreDescription const& core) { DesignCheck(core).check(); }

@@ -90,17 +90,17 @@ void add_stage_keys(Keys& keys, CoreDescription const& core, std::string const& 
     EndOfModule const written = writing_end(core, name);
     std::optional<EndOfModule> const taken = taking_end(core, name);
     auto const fifo = [name](auto& settings) -> decltype(auto) { return settings.fifo(name); };
-    constexpr IntegerRange stages{0, 1'000'000};
     if (written.end.write_latency)
         keys.push_back(step_key(
-            {fifo_key_name(name, "write_latency"), "cycles", write_latency_meaning(written), "timing model"}, stages,
-            fifo, [](auto& settings) -> auto& { return settings.write_latency; }, *written.end.write_latency));
+            {fifo_key_name(name, "write_latency"), "cycles", write_latency_meaning(written), "timing model"},
+            stages_range, fifo, [](auto& settings) -> auto& { return settings.write_latency; },
+            *written.end.write_latency));
     if (taken)
         keys.push_back(step_key(
             {fifo_key_name(name, "read_stage"), "cycles",
              fmt::format("Stage of the reading loop in which the token is taken, below {}.", taken->depth_key()),
              "timing model"},
-            stages, fifo, [](auto& settings) -> auto& { return settings.read_stage; }, *taken->end.read_stage));
+            stages_range, fifo, [](auto& settings) -> auto& { return settings.read_stage; }, *taken->end.read_stage));
 }
 
 /// Of the module that has a flushing pipeline.
@@ -187,10 +187,10 @@ void add_states_keys(Keys& keys, std::string const& name, LoopDescription const&
         cycles_range, loop, [](auto& settings) -> auto& { return settings.depth; }, description.depth));
     keys.push_back(step_key(
         {loop_key_name(name, "entry_states"), "cycles", "States before the loop's first iteration.", "HLS schedule"},
-        {0, 1'000'000}, loop, [](auto& settings) -> auto& { return settings.entry_states; }, description.entry_states));
+        stages_range, loop, [](auto& settings) -> auto& { return settings.entry_states; }, description.entry_states));
     keys.push_back(step_key(
         {loop_key_name(name, "exit_states"), "cycles", "States behind the loop's last iteration.", "HLS schedule"},
-        {0, 1'000'000}, loop, [](auto& settings) -> auto& { return settings.exit_states; }, description.exit_states));
+        stages_range, loop, [](auto& settings) -> auto& { return settings.exit_states; }, description.exit_states));
 }
 
 void add_loop_keys(Keys& keys, std::string const& name, LoopDescription const& description) {

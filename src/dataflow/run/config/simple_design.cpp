@@ -11,11 +11,54 @@
 #include "dataflow/run/config/design_check.hpp"
 #include "dataflow/run/config/external_memory_keys.hpp"
 #include "dataflow/run/config/machine_keys.hpp"
+#include "dataflow/run/figures/table_columns.hpp"
 
 namespace dataflow {
 namespace {
 
+void require_key_name(std::string const& key) {
+    std::size_t begin = 0;
+    bool is_good = key.find('.') != std::string::npos;
+    while (is_good && begin <= key.size()) {
+        std::size_t const end = std::min(key.find('.', begin), key.size());
+        is_good = is_word(key.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    if (!is_good)
+        throw InputError("a number of the design has the key \"" + key +
+                         "\", expected words and dots between them, such as workload.rows");
+}
+
+/// A key within another would be a section and a value.
+void require_separate_keys(std::vector<DesignNumber> const& numbers) {
+    for (DesignNumber const& outer : numbers)
+        for (DesignNumber const& inner : numbers)
+            if (inner.key.rfind(outer.key + '.', 0) == 0)
+                throw InputError("numbers of the design have the keys " + outer.key + " and " + inner.key +
+                                 ", expected none that begins with another and a dot");
+}
+
+/// Columns of samples.csv, as those before them.
+void require_columns(std::vector<ColumnFacts> const& counters) {
+    std::vector<std::string> names;
+    for (auto const& column : sample_columns)
+        names.emplace_back(column.name);
+    for (ColumnFacts const& counter : counters) {
+        if (!is_word(counter.name))
+            throw InputError("a result of the design has the name \"" + std::string(counter.name) +
+                             "\", expected a word, such as sum, which tables can have");
+        if (std::count(names.begin(), names.end(), counter.name) > 0)
+            throw InputError("a result of the design has the name " + std::string(counter.name) +
+                             ", which another column of its table has, expected another");
+        names.emplace_back(counter.name);
+    }
+}
+
 Key number_key(std::string const& design, DesignNumber const& number) {
+    require_key_name(number.key);
+    if (number.range.min < 0)
+        throw InputError("number " + number.key + ": its range begins with " + std::to_string(number.range.min) +
+                         ", expected 0 or more");
     auto const value = static_cast<std::int64_t>(number.otherwise);
     if (value < number.range.min || value > number.range.max)
         throw InputError("number " + number.key + ": its default is " + std::to_string(value) +
@@ -106,6 +149,8 @@ std::vector<Key> SimpleDesign::keys() const { return keys_of(describe(defaults()
 /// Keys of one section have to stand together.
 std::vector<Key> SimpleDesign::keys_of(CoreDescription core) const {
     require_one_word(facts_.name);
+    require_columns(facts_.counters);
+    require_separate_keys(facts_.numbers);
     Keys keys;
     auto const add_numbers = [&](bool of_accelerator) {
         for (DesignNumber const& number : facts_.numbers)

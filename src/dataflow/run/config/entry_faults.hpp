@@ -20,7 +20,7 @@ struct EntryReader {
     std::string name;
     std::function<void(MapEntry const&)> read;
 };
-/// Hands each entry to the reader of its name. There should be no entries of other names.
+/// Hands each entry to the reader of its name. Entries of other names are faults.
 void read_each(std::vector<MapEntry> const& entries, std::vector<EntryReader> const& readers, KeyFaults& faults);
 /// Reads a file that is `what` ("a sweep") and has the value `format` ("faster-sweep") at its key of that name. At its
 /// top are format, version and the names of `readers`, of which those that are `needed` must be there. They are not

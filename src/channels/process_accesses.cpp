@@ -80,9 +80,9 @@ void ProcessClock::access_closely(timing::Ports port) {
         refuse_in_tokens_body(fifos_[port.first()]->timing().name());
     if (!is_pipelining_)
         timing_.note_site(port.first(), site_);
+    else if (!collecting_)
+        refuse_later(port.first());
     if (!collecting_) {
-        if (is_pipelining_)
-            refuse_later(port.first());
         site_ = SourceSite();
         step(port);
         return;

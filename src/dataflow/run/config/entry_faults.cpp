@@ -14,6 +14,7 @@ namespace {
 
 std::vector<std::string> names_of(std::vector<EntryReader> const& readers) {
     std::vector<std::string> names;
+    names.reserve(readers.size());
     for (EntryReader const& reader : readers)
         names.push_back(reader.name);
     return names;

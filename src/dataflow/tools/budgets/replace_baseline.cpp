@@ -191,7 +191,7 @@ std::string replace_baseline(std::string const& text, Baseline const& baseline, 
     if (is_new)
         merged.insert(merged.begin(), has_returns ? "\r" : "");
     lines.insert(lines.erase(first, last), merged.begin(), merged.end());
-    std::string const changed = joined(lines);
+    std::string changed = joined(lines);
     try {
         YAML::Node const after = parse_document(changed);
         if (all_but_baseline(after) == all_but_baseline(before) && holds(after, baseline))

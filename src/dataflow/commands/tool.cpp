@@ -144,7 +144,7 @@ class Tool {
     /// As the parser says it, but for a flag that is given a value, and for a value that is no integer: other
     /// numbers are checked by number_in() before.
     static std::string text_of(CLI::ParseError const& error) {
-        std::string const text = error.what();
+        std::string text = error.what();
         std::size_t const end = text.find(" was given a disallowed flag override");
         if (end != std::string::npos)
             return (end == 1 ? "-" : "--") + text.substr(0, end) + ": has a value, expected it without one";

@@ -169,7 +169,7 @@ timing::Ports ProcessClock::read_port_of(FifoChannel const& fifo) { return fifo.
 void ProcessClock::open_loop(unsigned loop, SourceSite site) {
     if (is_away_)
         throw InputError("a loop of module " + timing_.name() +
-                         " is begun outside of its thread, expected each module " + "to use its own clock_");
+                         " is begun outside of its thread, expected each module to use its own clock_");
     enter_loop(loop, site);
     std::vector<timing::LoopAccess> const& reads = timing_.loops()[loop].reads;
     pipelined_ = loop;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <ostream>
-#include <sysc/datatypes/fx/fx.h>
 #include <systemc>
+#include <sysc/datatypes/fx/fx.h>
 #include <type_traits>
 
 #include "ap_int.h"
@@ -90,12 +90,12 @@ typename Quotient<A, B>::Type operator/(A const& a, B const& b) {
 
 template <int bits, int integer_bits, ap_q_mode quantization = AP_TRN, ap_o_mode overflow = AP_WRAP,
           int saturated_bits = 0>
-using ap_fixed =
-    faster_ap::Fixed<sc_dt::sc_fixed<bits, integer_bits, quantization, overflow, saturated_bits>, bits, integer_bits>;
+using ap_fixed = faster_ap::Fixed<sc_dt::sc_fixed<bits, integer_bits, quantization, overflow, saturated_bits>, bits,
+                                  integer_bits>;
 template <int bits, int integer_bits, ap_q_mode quantization = AP_TRN, ap_o_mode overflow = AP_WRAP,
           int saturated_bits = 0>
-using ap_ufixed =
-    faster_ap::Fixed<sc_dt::sc_ufixed<bits, integer_bits, quantization, overflow, saturated_bits>, bits, integer_bits>;
+using ap_ufixed = faster_ap::Fixed<sc_dt::sc_ufixed<bits, integer_bits, quantization, overflow, saturated_bits>, bits,
+                                   integer_bits>;
 // NOLINTEND(readability-identifier-naming)
 
 template <class Base, int bits, int integer_bits>

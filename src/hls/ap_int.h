@@ -7,8 +7,8 @@
 #include <ios>
 #include <ostream>
 #include <string>
-#include <sysc/datatypes/fx/fx.h>
 #include <systemc>
+#include <sysc/datatypes/fx/fx.h>
 #include <type_traits>
 
 #include "ap_operators.h"
@@ -59,9 +59,8 @@ class Number : public Base, public std::conditional_t<(bits > 64), ReadsAsPlain<
         return static_cast<Self&>(*this);
     }
 
-    // Bits, the lowest of which has number 0.
+    // Bits, the lowest of which has number 0. SystemC's have test(), and a set() that forgets the sign.
     bool get_bit(int index) const { return static_cast<bool>(static_cast<Base const&>(*this)[index]); }
-    bool test(int index) const { return get_bit(index); }
     void set_bit(int index, bool value) { static_cast<Base&>(*this)[index] = value; }
     void set(int index, bool value = true) { set_bit(index, value); }
     void clear(int index) { set_bit(index, false); }
@@ -108,8 +107,10 @@ template <class Base> std::ostream& print(std::ostream& out, Base const& number)
     return out << sign + "0x" + (digits.empty() ? "0" : digits);
 }
 
-template <int bits> using Signed = std::conditional_t<(bits <= 64), sc_dt::sc_int<bits>, sc_dt::sc_bigint<bits>>;
-template <int bits> using Unsigned = std::conditional_t<(bits <= 64), sc_dt::sc_uint<bits>, sc_dt::sc_biguint<bits>>;
+template <int bits>
+using Signed = std::conditional_t<(bits <= 64), sc_dt::sc_int<bits>, sc_dt::sc_bigint<bits>>;
+template <int bits>
+using Unsigned = std::conditional_t<(bits <= 64), sc_dt::sc_uint<bits>, sc_dt::sc_biguint<bits>>;
 
 }  // namespace faster_ap
 

@@ -1,9 +1,8 @@
 #pragma once
-// Operators of ap_int and ap_uint up to 64 bits that give numbers as wide as the tools', and their values where one
-// side has a sign and the other has none. SystemC's make a plain 64-bit number of each side first: -5 < 100U is false
-// then, and 100U - 200U above 0. Comparisons are those of the numbers, as hardware makes them; the tools' C simulation
-// follows C where a side has 32 bits and more. And operators above 64 bits in which SystemC's know no width, or are not
-// there.
+// Operators of ap_int and ap_uint up to 64 bits that give numbers as wide as the tools', and their values where one side
+// has a sign and the other has none. SystemC's make a plain 64-bit number of each side first: -5 < 100U is false then,
+// and 100U - 200U above 0. Comparisons are those of the numbers, as hardware makes them; the tools' C simulation follows
+// C where a side has 32 bits and more. And operators above 64 bits in which SystemC's know no width, or are not there.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -47,7 +46,7 @@ template <class A> Wide wide(A const& a) {
 template <bool is_signed, int bits>
 using Result = std::conditional_t<is_signed, ap_int<std::min(bits + 1, 64)>, ap_uint<std::min(bits, 64)>>;
 template <class A, class B> constexpr bool any_sign = Side<A>::is_signed || Side<B>::is_signed;
-template <class A, class B> constexpr bool both_signs = Side<A>::is_signed&& Side<B>::is_signed;
+template <class A, class B> constexpr bool both_signs = Side<A>::is_signed && Side<B>::is_signed;
 template <class A, class B> constexpr int most_bits = std::max(Side<A>::bits, Side<B>::bits);
 template <class To> To cut(Wide value) {
     return To(static_cast<std::conditional_t<Side<To>::is_signed, std::int64_t, std::uint64_t>>(value));
@@ -77,7 +76,8 @@ template <int width> struct Long<sc_dt::sc_bigint<width>> : LongOf<sc_dt::sc_sig
 template <int width> struct Long<sc_dt::sc_biguint<width>> : LongOf<sc_dt::sc_unsigned, width> {};
 template <int width> struct Long<ap_int<width>> : LongOf<sc_dt::sc_signed, width> {};
 template <int width> struct Long<ap_uint<width>> : LongOf<sc_dt::sc_unsigned, width> {};
-template <class A, class B> using IfLongBy = std::enable_if_t<Long<A>::is_it && Side<B>::is_number, int>;
+template <class A, class B>
+using IfLongBy = std::enable_if_t<Long<A>::is_it && Side<B>::is_number, int>;
 template <class A, class B>
 using IfAssigned = std::enable_if_t<(Side<A>::is_ap || Long<A>::is_it) && (Side<B>::is_number || Long<B>::is_it), int>;
 
@@ -97,9 +97,10 @@ template <class A> A long_shifted(A const& a, Wide left) {
 namespace sc_dt {  // where the compiler looks for operators of these types
 
 // NOLINTBEGIN(bugprone-macro-parentheses): operators, and arguments of templates
-#define FASTER_AP_COMPARISON(op)                                                                         \
-    template <class A, class B, faster_ap::IfSides<A, B> = 0> bool operator op(A const& a, B const& b) { \
-        return faster_ap::wide(a) op faster_ap::wide(b);                                                 \
+#define FASTER_AP_COMPARISON(op)                              \
+    template <class A, class B, faster_ap::IfSides<A, B> = 0> \
+    bool operator op(A const& a, B const& b) {                \
+        return faster_ap::wide(a) op faster_ap::wide(b);      \
     }
 FASTER_AP_COMPARISON(==)
 FASTER_AP_COMPARISON(!=)
@@ -158,9 +159,10 @@ template <int width> sc_biguint<width> operator~(sc_biguint<width> const& a) {
 template <class A, std::enable_if_t<faster_ap::Long<A>::is_it, int> = 0> bool operator!(A const& a) { return a == 0; }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): operators
-#define FASTER_AP_ASSIGNMENT(op)                                                                       \
-    template <class A, class B, faster_ap::IfAssigned<A, B> = 0> A& operator op##=(A& a, B const& b) { \
-        return a = a op b;                                                                             \
+#define FASTER_AP_ASSIGNMENT(op)                                     \
+    template <class A, class B, faster_ap::IfAssigned<A, B> = 0> \
+    A& operator op##=(A& a, B const& b) {                        \
+        return a = a op b;                                       \
     }
 FASTER_AP_ASSIGNMENT(+)
 FASTER_AP_ASSIGNMENT(-)

@@ -14,8 +14,7 @@
 
 namespace hls {
 
-template <class Token, int depth_of_fifo = 0>
-class stream;  // NOLINT(readability-identifier-naming): as the tool has it
+template <class Token, int depth_of_fifo = 0> class stream;  // NOLINT(readability-identifier-naming): as the tool has it
 
 template <class Token> class stream<Token, 0> : public dataflow::untimed::StreamBase {
     using Traits = dataflow::untimed::TokenTraits<Token>;

@@ -15,7 +15,7 @@ namespace dataflow::untimed {
 /// it, or all of its memory if it has no padding. Of any other the width is 0: not known.
 template <class Token> struct TokenTraits {
     static unsigned bits() {
-        if constexpr (faster_bits < Token >> 0)
+        if constexpr (faster_bits<Token> != 0)
             return faster_bits<Token>;
         else if constexpr (std::is_same_v<Token, bool>)
             return 1;

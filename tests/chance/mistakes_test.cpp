@@ -340,6 +340,22 @@ TEST_CASE("what is done with a token of a later stage takes no step of its own")
                "that");
 }
 
+TEST_CASE("a loop of another module's clock is refused") {
+    Pair pair = sound_pair();
+    ProcessClock* other = nullptr;
+    pair.writes = [&other, sends = pair.writes](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        other = &clock;
+        sends(clock, fifo);
+    };
+    pair.reads = [&other, receives = pair.reads](ProcessClock& clock, ClockedFifo<Token>& fifo) {
+        receives(clock, fifo);
+        clock.advance(20);  // the writer is done
+        other->pipeline("send", 1, [](std::uint64_t) {});
+    };
+    check_both(pair,
+               "a loop of module writer is begun outside of its thread, expected each module to use its own clock_");
+}
+
 TEST_CASE("what-if refuses a stage of a read as a run does, which the module's own code could not have") {
     Pair pair = sound_pair();
     pair.reader.writes_to("g").of_bits(1).leaves("receive", 1);

@@ -389,6 +389,9 @@ template <int width> void check_bits() {
     ap_int<width> low = -1;
     low.clear(0);
     check(low == -2 && low.countLeadingZeros() == 0, "of a number with a sign");
+    low = 0;
+    low.set(width - 1);
+    check(low < 0 && low.test(width - 1), "the sign itself");
 }
 
 void check_other_headers() {

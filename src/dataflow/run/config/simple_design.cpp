@@ -7,6 +7,7 @@
 
 #include "dataflow/base/input_error.hpp"
 #include "dataflow/base/nearest_name.hpp"
+#include "dataflow/base/text_lines.hpp"
 #include "dataflow/core/machine/machine.hpp"
 #include "dataflow/run/config/design_check.hpp"
 #include "dataflow/run/config/external_memory_keys.hpp"
@@ -17,14 +18,8 @@ namespace dataflow {
 namespace {
 
 void require_key_name(std::string const& key) {
-    std::size_t begin = 0;
-    bool is_good = key.find('.') != std::string::npos;
-    while (is_good && begin <= key.size()) {
-        std::size_t const end = std::min(key.find('.', begin), key.size());
-        is_good = is_word(key.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    if (!is_good)
+    std::vector<std::string> const words = split_at_points(key);
+    if (words.size() < 2 || !std::all_of(words.begin(), words.end(), is_word))
         throw InputError("a number of the design has the key \"" + key +
                          "\", expected words and dots between them, such as workload.rows");
 }
